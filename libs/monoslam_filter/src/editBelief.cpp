@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monoslam_filter/editBelief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "monoslam_models/quaternion.h"
+
+namespace monoslam
+{
+namespace
+{
+using camera_state::kPoseSize;
+using camera_state::kSize;
+
+/** Grows x and P by \p extra rows, uncorrelated and zero. */
+void grow(Belief& belief, Eigen::Index extra)
+{
+    const Eigen::Index n = belief.size();
+    belief.x.conservativeResize(n + extra);
+    belief.P.conservativeResize(n + extra, n + extra);
+    belief.P.rightCols(extra).setZero();
+    belief.P.bottomRows(extra).setZero();
+}
+
+/** Keeps the listed blocks (offset, length), sorted by offset, and closes the gaps. */
+void keepBlocks(Belief& belief, const std::vector<std::pair<Eigen::Index, Eigen::Index>>& blocks)
+{
+    Eigen::Index size = 0;
+    for (const auto& block : blocks) size += block.second;
+    Eigen::VectorXd x(size);
+    Eigen::MatrixXd P(size, size);
+    Eigen::Index row = 0;
+    for (const auto& [rowOffset, rows] : blocks)
+    {
+        x.segment(row, rows) = belief.x.segment(rowOffset, rows);
+        Eigen::Index column = 0;
+        for (const auto& [columnOffset, columns] : blocks)
+        {
+            P.block(column, row, columns, rows) =
+                belief.P.block(columnOffset, rowOffset, columns, rows);
+            column += columns;
+        }
+        row += rows;
+    }
+    belief.x = std::move(x);
+    belief.P = std::move(P);
+}
+
+/** Lays the state out anew after slots were taken from the lists. */
+void compact(Belief& belief)
+{
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> blocks{{0, kSize}};
+    for (const auto& slot : belief.landmarks) blocks.emplace_back(slot.offset, slot.size());
+    for (const auto& slot : belief.clones) blocks.emplace_back(slot.offset, kPoseSize);
+    std::sort(blocks.begin(), blocks.end());
+    keepBlocks(belief, blocks);
+
+    const auto moved = [&blocks](Eigen::Index offset)
+    {
+        Eigen::Index at = 0;
+        for (const auto& block : blocks)
+        {
+            if (block.first == offset) return at;
+            at += block.second;
+        }
+        throw std::logic_error("compact: a slot without a block");
+    };
+    for (auto& slot : belief.landmarks) slot.offset = moved(slot.offset);
+    for (auto& slot : belief.clones) slot.offset = moved(slot.offset);
+}
+}  // namespace
+
+Belief append(Belief belief, LandmarkId id, LandmarkKind kind, const Eigen::VectorXd& y,
+              const Eigen::MatrixXd& P_yx, const Eigen::MatrixXd& P_yy)
+{
+    const Eigen::Index n = belief.size();
+    const Eigen::Index size = landmarkSize(kind);
+    if (y.size() != size || P_yx.rows() != size || P_yx.cols() != n || P_yy.rows() != size)
+        throw std::invalid_argument("append: sizes of y, P_yx and P_yy disagree");
+    grow(belief, size);
+    belief.x.tail(size) = y;
+    belief.P.bottomLeftCorner(size, n) = P_yx;
+    belief.P.topRightCorner(n, size) = P_yx.transpose();
+    belief.P.bottomRightCorner(size, size) = 0.5 * (P_yy + P_yy.transpose());
+    belief.landmarks.push_back({id, kind, n});
+    return belief;
+}
+
+std::optional<Belief> addUndelayed(Belief belief, const Camera& camera, LandmarkId id,
+                                   const Eigen::Vector2d& uv_px, const UndelayedPrior& prior)
+{
+    const auto born = initializeUndelayed(camera, belief.pose(), uv_px, prior.rho0);
+    if (!born) return std::nullopt;
+    const double variance_px = prior.sigma_px * prior.sigma_px;
+    const Eigen::Vector3d R(variance_px, variance_px, prior.sigma_rho * prior.sigma_rho);
+    const Eigen::MatrixXd P_yx = born->J_y_pose * belief.P.topRows<kPoseSize>();
+    const Eigen::MatrixXd P_yy =
+        P_yx.leftCols<kPoseSize>() * born->J_y_pose.transpose() +
+        born->J_y_z * R.asDiagonal() * born->J_y_z.transpose();
+    return append(std::move(belief), id, LandmarkKind::InverseDepth, born->y, P_yx, P_yy);
+}
+
+Belief addTriangulated(Belief belief, LandmarkId id, const Triangulation& triangulation,
+                       const FirstView& first, double sigma_px, double sigma_floor)
+{
+    const auto J_pose = triangulation.J_current.leftCols<kPoseSize>();
+    const auto J_first = triangulation.J_first.leftCols<kPoseSize>();
+    const auto J_uv = triangulation.J_current.rightCols<2>();
+    const auto J_uv0 = triangulation.J_first.rightCols<2>();
+
+    Eigen::MatrixXd P_yx = J_pose * belief.P.topRows<kPoseSize>();
+    Eigen::MatrixXd P_yy = sigma_px * sigma_px * (J_uv * J_uv.transpose());
+    P_yy += sigma_px * sigma_px * (J_uv0 * J_uv0.transpose());
+    const CloneSlot* clone = first.clone >= 0 ? belief.findClone(first.clone) : nullptr;
+    if (first.clone >= 0 && !clone)
+        throw std::invalid_argument("addTriangulated: the clone is not in the state");
+    if (clone)
+    {
+        P_yx += J_first * belief.P.middleRows<kPoseSize>(clone->offset);
+        P_yy += P_yx.middleCols<kPoseSize>(clone->offset) * J_first.transpose();
+    }
+    else
+        P_yy += J_first * first.variance.asDiagonal() * J_first.transpose();
+    P_yy += P_yx.leftCols<kPoseSize>() * J_pose.transpose();
+
+    constexpr Eigen::Index rho = inverse_depth::kRho;
+    const double floor = sigma_floor * triangulation.y(rho);
+    P_yy(rho, rho) = std::max(P_yy(rho, rho), floor * floor);
+    return append(std::move(belief), id, LandmarkKind::InverseDepth, triangulation.y, P_yx, P_yy);
+}
+
+Belief addPoint(Belief belief, LandmarkId id, const Eigen::Vector3d& p_w,
+                const Eigen::Matrix3d& P_p)
+{
+    const Eigen::MatrixXd P_yx = Eigen::MatrixXd::Zero(3, belief.size());
+    return append(std::move(belief), id, LandmarkKind::Point, p_w, P_yx, P_p);
+}
+
+Belief removeLandmarks(Belief belief, const std::vector<LandmarkId>& ids)
+{
+    const auto gone = [&ids](const LandmarkSlot& slot)
+    { return std::find(ids.begin(), ids.end(), slot.id) != ids.end(); };
+    const auto end = std::remove_if(belief.landmarks.begin(), belief.landmarks.end(), gone);
+    if (end == belief.landmarks.end()) return belief;
+    belief.landmarks.erase(end, belief.landmarks.end());
+    compact(belief);
+    return belief;
+}
+
+Belief addClone(Belief belief, CloneId id)
+{
+    const Eigen::Index n = belief.size();
+    grow(belief, kPoseSize);
+    belief.x.tail<kPoseSize>() = belief.x.head<kPoseSize>();
+    belief.P.block(n, 0, kPoseSize, n) = belief.P.block(0, 0, kPoseSize, n);
+    belief.P.block(0, n, n, kPoseSize) = belief.P.block(0, 0, n, kPoseSize);
+    belief.P.block<kPoseSize, kPoseSize>(n, n) = belief.P.topLeftCorner<kPoseSize, kPoseSize>();
+    belief.clones.push_back({id, n});
+    return belief;
+}
+
+Belief removeClones(Belief belief, const std::vector<CloneId>& ids)
+{
+    const auto gone = [&ids](const CloneSlot& slot)
+    { return std::find(ids.begin(), ids.end(), slot.id) != ids.end(); };
+    const auto end = std::remove_if(belief.clones.begin(), belief.clones.end(), gone);
+    if (end == belief.clones.end()) return belief;
+    belief.clones.erase(end, belief.clones.end());
+    compact(belief);
+    return belief;
+}
+
+Belief convertToPoints(Belief belief, const std::vector<LandmarkId>& ids)
+{
+    bool changed = false;
+    for (const LandmarkId id : ids)
+    {
+        const Eigen::Index index = belief.find(id);
+        if (index < 0) continue;
+        LandmarkSlot& slot = belief.landmarks[static_cast<std::size_t>(index)];
+        if (slot.kind != LandmarkKind::InverseDepth) continue;
+        const Vector6d y = belief.x.segment<inverse_depth::kSize>(slot.offset);
+        if (y(inverse_depth::kRho) <= 0.0) continue;
+        Matrix36d J_p_y;
+        belief.x.segment<3>(slot.offset) = toPoint(y, &J_p_y);
+        const Eigen::Matrix<double, Eigen::Dynamic, 6> columns =
+            belief.P.middleCols<6>(slot.offset);
+        belief.P.middleCols<3>(slot.offset) = columns * J_p_y.transpose();
+        const Eigen::Matrix<double, 6, Eigen::Dynamic> rows = belief.P.middleRows<6>(slot.offset);
+        belief.P.middleRows<3>(slot.offset) = J_p_y * rows;
+        slot.kind = LandmarkKind::Point;
+        changed = true;
+    }
+    if (changed) compact(belief);
+    return belief;
+}
+
+Belief rescale(Belief belief, double s)
+{
+    Eigen::VectorXd factor = Eigen::VectorXd::Ones(belief.size());
+    factor.segment<3>(camera_state::kPosition).setConstant(s);
+    factor.segment<3>(camera_state::kVelocity).setConstant(s);
+    for (const auto& slot : belief.clones) factor.segment<3>(slot.offset).setConstant(s);
+    for (const auto& slot : belief.landmarks)
+    {
+        factor.segment<3>(slot.offset).setConstant(s);
+        if (slot.kind == LandmarkKind::InverseDepth)
+            factor(slot.offset + inverse_depth::kRho) = 1.0 / s;
+    }
+    belief.x = factor.asDiagonal() * belief.x;
+    belief.P = factor.asDiagonal() * belief.P * factor.asDiagonal();
+    return belief;
+}
+}  // namespace monoslam
