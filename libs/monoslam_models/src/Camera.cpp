@@ -58,8 +58,7 @@ Camera::Camera(const CameraParameters& parameters) : parameters_(parameters)
     checkValidPart(parameters_, maxAngle_rad_);
 }
 
-std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& h_c,
-                                               Matrix23d* J_uv_h) const
+std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& h_c, Matrix23d* J_uv_h) const
 {
     if (!(h_c.z() > 0)) return {};
     const double zInverse = 1.0 / h_c.z();

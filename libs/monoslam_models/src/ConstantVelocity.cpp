@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_models/ConstantVelocity.h"
 
-#include <limits>
 #include <stdexcept>
 
 #include "monoslam_models/quaternion.h"
@@ -22,12 +21,11 @@ double impulseVariance(double sigma, double dt_s, NoiseForm noise)
 
 ConstantVelocityOptions ConstantVelocityOptions::from(ConfigSection section)
 {
-    const Range positive{std::numeric_limits<double>::min(), std::numeric_limits<double>::max()};
     ConstantVelocityOptions o;
     o.noise = section.get<NoiseForm>(
         "noise", o.noise, {{"density", NoiseForm::Density}, {"per_frame", NoiseForm::PerFrame}});
-    o.sigma_accel = section.get("sigma_accel_mps2", o.sigma_accel, positive);
-    o.sigma_alpha = section.get("sigma_alpha_radps2", o.sigma_alpha, positive);
+    o.sigma_accel = section.get("sigma_accel_mps2", o.sigma_accel, kPositive);
+    o.sigma_alpha = section.get("sigma_alpha_radps2", o.sigma_alpha, kPositive);
     section.rejectUnknownKeys();
     return o;
 }

@@ -5,65 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radialDistortion.h"
+#include "distortionModels.h"
 
 namespace monoslam
 {
 namespace
 {
-using radial::OddPolynomial;
-using radial::Point;
+using namespace distortion;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kWidest_rad = 89.0 * kPi / 180.0;
-
-/** x_d = x_n L + tangential part, L = N / D, N = 1 + k1 r^2 + k2 r^4 + k3 r^6, D of k4 k5 k6. */
-Point distortBrown(const std::array<double, 8>& k, const Eigen::Vector2d& x_n,
-                   Eigen::Matrix2d* J_xd_xn)
-{
-    const double x = x_n.x(), y = x_n.y(), p1 = k[2], p2 = k[3];
-    const double r2 = x_n.squaredNorm();
-    const double N = 1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]));
-    const double D = 1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7]));
-    if (D <= 0) return {};
-    const double L = N / D;
-    if (J_xd_xn)
-    {
-        const double dN = k[0] + r2 * (2 * k[1] + 3 * r2 * k[4]);
-        const double dD = k[5] + r2 * (2 * k[6] + 3 * r2 * k[7]);
-        const double E = 2 * (dN - L * dD) / D;  // dL/dx = E x, dL/dy = E y
-        const double J_xy = x * y * E + 2 * p1 * x + 2 * p2 * y;
-        *J_xd_xn << L + x * x * E + 2 * p1 * y + 6 * p2 * x, J_xy,  //
-            J_xy, L + y * y * E + 6 * p1 * y + 2 * p2 * x;
-    }
-    return Eigen::Vector2d(x * L + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
-                           y * L + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y);
-}
-
-/** Newton from x_d; a step past the fold, where det J <= 0, is halved until it stays before it. */
-Point undistortBrown(const std::array<double, 8>& k, const Eigen::Vector2d& x_d,
-                     Eigen::Matrix2d* J_xn_xd)
-{
-    Eigen::Vector2d x = x_d, lastValid = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d J_xd_xn;
-    for (int i = 0; i < 50; ++i)
-    {
-        const Point distorted = distortBrown(k, x, &J_xd_xn);
-        if (!distorted || !(J_xd_xn.determinant() > 0))
-        {
-            x = 0.5 * (x + lastValid);
-            continue;
-        }
-        lastValid = x;
-        const Eigen::Matrix2d J_inverse = J_xd_xn.inverse();
-        const Eigen::Vector2d step = J_inverse * (x_d - *distorted);
-        x += step;
-        if (step.norm() > 1e-12 * (1 + x.norm())) continue;
-        if (J_xn_xd) *J_xn_xd = J_inverse;
-        return x;
-    }
-    return {};
-}
 
 OddPolynomial polynomial(const DistortionParameters& parameters)
 {
@@ -125,11 +76,16 @@ std::string name(DistortionModel model)
 {
     switch (model)
     {
-        case DistortionModel::None: return "none";
-        case DistortionModel::Brown: return "brown";
-        case DistortionModel::KannalaBrandt: return "kannala_brandt";
-        case DistortionModel::Tsai: return "tsai";
-        case DistortionModel::Davison: return "davison";
+        case DistortionModel::None:
+            return "none";
+        case DistortionModel::Brown:
+            return "brown";
+        case DistortionModel::KannalaBrandt:
+            return "kannala_brandt";
+        case DistortionModel::Tsai:
+            return "tsai";
+        case DistortionModel::Davison:
+            return "davison";
     }
     return "unknown";
 }
@@ -138,17 +94,21 @@ Point distort(const DistortionParameters& parameters, FocalLengths f, const Eige
               Eigen::Matrix2d* J_xd_xn)
 {
     const auto tsai = [&](const Eigen::Vector2d& c, Eigen::Matrix2d* J)
-    { return radial::distortTsai(polynomial(parameters), c, J); };
+    { return distortTsai(polynomial(parameters), c, J); };
     const auto davison = [&](const Eigen::Vector2d& c, Eigen::Matrix2d* J)
-    { return radial::mapDavison(parameters.k[0], c, J); };
+    { return mapDavison(parameters.k[0], c, J); };
     switch (parameters.model)
     {
-        case DistortionModel::Brown: return distortBrown(parameters.k, x_n, J_xd_xn);
+        case DistortionModel::Brown:
+            return distortBrown(parameters.k, x_n, J_xd_xn);
         case DistortionModel::KannalaBrandt:
-            return radial::distortKannalaBrandt(polynomial(parameters), x_n, J_xd_xn);
-        case DistortionModel::Tsai: return inPixels(tsai, f, x_n, J_xd_xn);
-        case DistortionModel::Davison: return inPixels(davison, f, x_n, J_xd_xn);
-        case DistortionModel::None: break;
+            return distortKannalaBrandt(polynomial(parameters), x_n, J_xd_xn);
+        case DistortionModel::Tsai:
+            return inPixels(tsai, f, x_n, J_xd_xn);
+        case DistortionModel::Davison:
+            return inPixels(davison, f, x_n, J_xd_xn);
+        case DistortionModel::None:
+            break;
     }
     if (J_xd_xn) J_xd_xn->setIdentity();
     return x_n;
@@ -158,17 +118,21 @@ Point undistort(const DistortionParameters& parameters, FocalLengths f, const Ei
                 Eigen::Matrix2d* J_xn_xd)
 {
     const auto tsai = [&](const Eigen::Vector2d& p, Eigen::Matrix2d* J)
-    { return radial::undistortTsai(polynomial(parameters), p, J); };
+    { return undistortTsai(polynomial(parameters), p, J); };
     const auto davison = [&](const Eigen::Vector2d& p, Eigen::Matrix2d* J)
-    { return radial::mapDavison(-parameters.k[0], p, J); };
+    { return mapDavison(-parameters.k[0], p, J); };
     switch (parameters.model)
     {
-        case DistortionModel::Brown: return undistortBrown(parameters.k, x_d, J_xn_xd);
+        case DistortionModel::Brown:
+            return undistortBrown(parameters.k, x_d, J_xn_xd);
         case DistortionModel::KannalaBrandt:
-            return radial::undistortKannalaBrandt(polynomial(parameters), x_d, J_xn_xd);
-        case DistortionModel::Tsai: return inPixels(tsai, f, x_d, J_xn_xd);
-        case DistortionModel::Davison: return inPixels(davison, f, x_d, J_xn_xd);
-        case DistortionModel::None: break;
+            return undistortKannalaBrandt(polynomial(parameters), x_d, J_xn_xd);
+        case DistortionModel::Tsai:
+            return inPixels(tsai, f, x_d, J_xn_xd);
+        case DistortionModel::Davison:
+            return inPixels(davison, f, x_d, J_xn_xd);
+        case DistortionModel::None:
+            break;
     }
     if (J_xn_xd) J_xn_xd->setIdentity();
     return x_d;
@@ -181,13 +145,15 @@ double maxAngle(const DistortionParameters& parameters, FocalLengths f)
     double radius_px = widest_px;
     switch (parameters.model)
     {
-        case DistortionModel::None: return kWidest_rad;
+        case DistortionModel::None:
+            return kWidest_rad;
         case DistortionModel::Brown:
-        case DistortionModel::KannalaBrandt: return firstFold(parameters);
+        case DistortionModel::KannalaBrandt:
+            return firstFold(parameters);
         case DistortionModel::Tsai:
         {
             const OddPolynomial k = polynomial(parameters);
-            const double limit_px = radial::largestTsaiRadius_px(k);
+            const double limit_px = largestTsaiRadius_px(k);
             if (std::isfinite(limit_px)) radius_px = limit_px * k.factor(limit_px * limit_px);
             break;
         }

@@ -129,8 +129,7 @@ std::optional<Triangulation> triangulate(const Camera& camera, const View& first
     const double rho = std::sin(t.alpha_rad) / (t.baseline * std::sin(t.beta_rad));
     t.y.head<3>() = current.pose.head<3>();
     t.y[inverse_depth::kRho] = rho;
-    t.epipolarResidual_rad =
-        std::abs(ray1->g.dot(B.cross(ray2->g))) / (crossing * ray2->g.norm());
+    t.epipolarResidual_rad = std::abs(ray1->g.dot(B.cross(ray2->g))) / (crossing * ray2->g.norm());
     fillJacobians(t, rhoJacobians(t, rho, B, beta, gamma), *ray1, *ray2);
     return t;
 }

@@ -40,7 +40,13 @@ std::optional<Number> parse(const std::string& text)
 std::string describe(Range range)
 {
     std::ostringstream text;
-    text << "must lie in [" << range.lowest << ", " << range.highest << "]";
+    text << "must be ";
+    if (range.lowest == kPositive.lowest)
+        text << "> 0";
+    else if (std::isfinite(range.lowest))
+        text << ">= " << range.lowest;
+    if (range.highest < kPositive.highest)
+        text << (std::isfinite(range.lowest) ? " and <= " : "<= ") << range.highest;
     return text.str();
 }
 

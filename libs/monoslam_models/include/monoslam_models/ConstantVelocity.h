@@ -55,6 +55,6 @@ struct MotionPrediction
  *
  * omega is in the camera frame, hence the product on the right (algorithms 1.2, 1.3).
  * \param dt_s  time step, >= 0 [s] */
-[[nodiscard]] MONOSLAM_MODELS_EXPORT MotionPrediction predictConstantVelocity(
-    const Vector13d& x_v, double dt_s, const ConstantVelocityOptions& options);
+[[nodiscard]] MONOSLAM_MODELS_EXPORT MotionPrediction
+predictConstantVelocity(const Vector13d& x_v, double dt_s, const ConstantVelocityOptions& options);
 }  // namespace monoslam

@@ -13,7 +13,7 @@ namespace monoslam
 enum class DistortionModel
 {
     None,
-    Brown,          ///< OpenCV, MRPT "plumb_bob": k1 k2 p1 p2 k3 [k4 k5 k6]; undistorted to distorted
+    Brown,          ///< "plumb_bob": k1 k2 p1 p2 k3 [k4 k5 k6]; undistorted to distorted
     KannalaBrandt,  ///< OpenCV fisheye, equidistant: k1 k2 k3 k4; undistorted to distorted
     Tsai,           ///< Civera: k1 k2 [mm^-2, mm^-4], pixel size d [mm]; distorted to undistorted
     Davison,        ///< SceneLib: K1 [px^-2], closed form both ways
@@ -22,7 +22,8 @@ enum class DistortionModel
 struct DistortionParameters
 {
     DistortionModel model = DistortionModel::None;
-    /** Brown: k1 k2 p1 p2 k3 k4 k5 k6. KannalaBrandt: k1 k2 k3 k4. Tsai: k1 k2 d_mm. Davison: K1. */
+    /** Brown: k1 k2 p1 p2 k3 k4 k5 k6 (OpenCV's and MRPT's order). KannalaBrandt: k1 k2 k3 k4.
+     *  Tsai: k1 k2 d_mm. Davison: K1. */
     std::array<double, 8> k{};
 };
 
@@ -42,7 +43,9 @@ struct FocalLengths
     const DistortionParameters& parameters, FocalLengths f, const Eigen::Vector2d& x_n,
     Eigen::Matrix2d* J_xd_xn = nullptr);
 
-/** Inverse of distort(), by Newton steps where there is no closed form. */
+/** Inverse of distort(), by Newton steps where there is no closed form.
+ *  \return nothing where no undistorted point was found; one beyond maxAngle() is for the caller to
+ *  refuse, as Camera::unproject() does */
 [[nodiscard]] MONOSLAM_MODELS_EXPORT std::optional<Eigen::Vector2d> undistort(
     const DistortionParameters& parameters, FocalLengths f, const Eigen::Vector2d& x_d,
     Eigen::Matrix2d* J_xn_xd = nullptr);

@@ -30,7 +30,8 @@ struct Triangulation
 };
 
 /** rho = sin(alpha) / (b sin(beta)), alpha = pi - beta - gamma (DI-D; algorithms 3.5, 3.7).
- *  \return nothing if a pixel cannot be unprojected, b = 0, a ray is parallel to B, or alpha <= 0 */
-[[nodiscard]] MONOSLAM_MODELS_EXPORT std::optional<Triangulation> triangulate(
-    const Camera& camera, const View& first, const View& current);
+ *  \return nothing if a pixel cannot be unprojected, b = 0, a ray is parallel to B, alpha <= 0 */
+[[nodiscard]] MONOSLAM_MODELS_EXPORT std::optional<Triangulation> triangulate(const Camera& camera,
+                                                                              const View& first,
+                                                                              const View& current);
 }  // namespace monoslam

@@ -20,6 +20,9 @@ struct Range
     double highest = std::numeric_limits<double>::infinity();
 };
 
+inline constexpr Range kPositive{std::numeric_limits<double>::min(),
+                                 std::numeric_limits<double>::max()};
+
 /** One section of an ini file, which remembers the keys that were read.
  *
  * MRPT's reader keeps the default for a misspelt key and reads "abc" as 0; this one throws

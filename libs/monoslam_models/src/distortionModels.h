@@ -8,11 +8,11 @@
 #include <limits>
 #include <optional>
 
-/** The purely radial distortion models, private to Distortion.cpp.
+/** The distortion models one by one, private to Distortion.cpp.
  *
- * Kannala-Brandt works in normalised coordinates; Tsai and Davison in pixels relative to the
- * principal point, c before and p after the distortion. */
-namespace monoslam::radial
+ * Brown and Kannala-Brandt work in normalised coordinates; Tsai and Davison in pixels relative to
+ * the principal point, c before and p after the distortion. */
+namespace monoslam::distortion
 {
 using Point = std::optional<Eigen::Vector2d>;
 
@@ -50,6 +50,54 @@ struct OddPolynomial
     }
 };
 
+/** x_d = x_n L + tangential part, L = N / D, N = 1 + k1 r^2 + k2 r^4 + k3 r^6, D of k4 k5 k6. */
+inline Point distortBrown(const std::array<double, 8>& k, const Eigen::Vector2d& x_n,
+                          Eigen::Matrix2d* J_xd_xn)
+{
+    const double x = x_n.x(), y = x_n.y(), p1 = k[2], p2 = k[3];
+    const double r2 = x_n.squaredNorm();
+    const double N = 1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]));
+    const double D = 1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7]));
+    if (D <= 0) return {};
+    const double L = N / D;
+    if (J_xd_xn)
+    {
+        const double dN = k[0] + r2 * (2 * k[1] + 3 * r2 * k[4]);
+        const double dD = k[5] + r2 * (2 * k[6] + 3 * r2 * k[7]);
+        const double E = 2 * (dN - L * dD) / D;  // dL/dx = E x, dL/dy = E y
+        const double J_xy = x * y * E + 2 * p1 * x + 2 * p2 * y;
+        *J_xd_xn << L + x * x * E + 2 * p1 * y + 6 * p2 * x, J_xy,  //
+            J_xy, L + y * y * E + 6 * p1 * y + 2 * p2 * x;
+    }
+    return Eigen::Vector2d(x * L + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
+                           y * L + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y);
+}
+
+/** Newton from x_d; a step past the fold, where det J <= 0, is halved until it stays before it. */
+inline Point undistortBrown(const std::array<double, 8>& k, const Eigen::Vector2d& x_d,
+                            Eigen::Matrix2d* J_xn_xd)
+{
+    Eigen::Vector2d x = x_d, lastValid = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d J_xd_xn;
+    for (int i = 0; i < 50; ++i)
+    {
+        const Point distorted = distortBrown(k, x, &J_xd_xn);
+        if (!distorted || !(J_xd_xn.determinant() > 0))
+        {
+            x = 0.5 * (x + lastValid);
+            continue;
+        }
+        lastValid = x;
+        const Eigen::Matrix2d J_inverse = J_xd_xn.inverse();
+        const Eigen::Vector2d step = J_inverse * (x_d - *distorted);
+        x += step;
+        if (step.norm() > 1e-12 * (1 + x.norm())) continue;
+        if (J_xn_xd) *J_xn_xd = J_inverse;
+        return x;
+    }
+    return {};
+}
+
 /** theta_d = theta (1 + k1 theta^2 + ...), x_d = x_n theta_d / r with r = tan theta = |x_n|. */
 inline Point distortKannalaBrandt(const OddPolynomial& k, const Eigen::Vector2d& x_n,
                                   Eigen::Matrix2d* J_xd_xn)
@@ -59,10 +107,9 @@ inline Point distortKannalaBrandt(const OddPolynomial& k, const Eigen::Vector2d&
     const bool isCentre = r < 1e-4;  // s = theta_d / r is 0 / 0 on the axis: its series there
     const double theta = std::atan(r);
     const double s = isCentre ? 1 + (k.a[0] - 1.0 / 3) * r2 : theta * k.factor(theta * theta) / r;
-    const double ds_r = isCentre ? 2 * (k.a[0] - 1.0 / 3)
-                                 : (k.derivative(theta * theta) / (1 + r2) - s) / r2;
-    if (J_xd_xn)
-        *J_xd_xn = s * Eigen::Matrix2d::Identity() + ds_r * x_n * x_n.transpose();
+    const double ds_r =
+        isCentre ? 2 * (k.a[0] - 1.0 / 3) : (k.derivative(theta * theta) / (1 + r2) - s) / r2;
+    if (J_xd_xn) *J_xd_xn = s * Eigen::Matrix2d::Identity() + ds_r * x_n * x_n.transpose();
     return Eigen::Vector2d(s * x_n);
 }
 
@@ -126,4 +173,4 @@ inline Point mapDavison(double K1, const Eigen::Vector2d& c, Eigen::Matrix2d* J_
         *J_p_c = Eigen::Matrix2d::Identity() / root - 2 * K1 / (f * root) * c * c.transpose();
     return Eigen::Vector2d(c / root);
 }
-}  // namespace monoslam::radial
+}  // namespace monoslam::distortion
