@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <monoslam_models/quaternion.h>
+
+#include <iostream>
+
+int main()
+{
+    const Eigen::Vector3d quarterTurn(0.0, 0.0, 1.5707963267948966);
+    const Eigen::Vector4d q = monoslam::quaternionExp(quarterTurn);
+    const Eigen::Vector3d rotated = monoslam::rotate(q, Eigen::Vector3d::UnitX());
+    std::cout << "x axis turned by 90 degrees about z: " << rotated.transpose() << '\n';
+    return rotated.isApprox(Eigen::Vector3d::UnitY()) ? 0 : 1;
+}
