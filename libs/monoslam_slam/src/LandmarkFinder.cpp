@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LandmarkFinder.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace monoslam
+{
+namespace
+{
+constexpr double kLeastRho = 1e-4;
+constexpr double kDegree = 0.017453292519943295;
+
+/** S with its axes cut so that the ellipse of the gate reaches at most radius_px. */
+Eigen::Matrix2d clip(const Eigen::Matrix2d& S, double gate, double radius_px)
+{
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+    solver.computeDirect(S);
+    const double largest = radius_px * radius_px / gate;
+    if (solver.eigenvalues()(1) <= largest) return S;
+    const Eigen::Vector2d cut = solver.eigenvalues().cwiseMin(largest);
+    return solver.eigenvectors() * cut.asDiagonal() * solver.eigenvectors().transpose();
+}
+}  // namespace
+
+Eigen::Vector3d landmarkPoint(const Belief& belief, const LandmarkSlot& slot)
+{
+    if (slot.kind == LandmarkKind::Point) return belief.x.segment<3>(slot.offset);
+    Vector6d y = belief.x.segment<6>(slot.offset);
+    y(inverse_depth::kRho) = std::max(y(inverse_depth::kRho), kLeastRho);
+    return toPoint(y);
+}
+
+CornerTrackerOptions trackerOptions(const SearchOptions& search)
+{
+    CornerTrackerOptions o;
+    o.minScore = search.min_zncc;
+    o.half_px = search.patch_px / 2;
+    o.warp.maxScale = search.max_scale;
+    o.warp.maxViewAngle_rad = search.max_view_angle_deg * kDegree;
+    o.align.sigmaFloor_px = search.sigma_floor_px;
+    return o;
+}
+
+const std::optional<Patch>& LandmarkFinder::patchOf(LandmarkId id)
+{
+    const auto known = patches_.find(id);
+    if (known != patches_.end()) return known->second;
+    std::optional<Patch>& patch = patches_[id];
+    const auto record = records_.find(id);
+    const Eigen::Index index = expected_.find(id);
+    if (record == records_.end() || index < 0) return patch;
+    const LandmarkSlot& slot = expected_.landmarks[static_cast<std::size_t>(index)];
+    const CornerTrackerOptions tracker = trackerOptions(options_);
+    const auto warp = predictWarp(camera_, record->second.born, expected_.pose(),
+                                  landmarkPoint(expected_, slot), tracker.warp);
+    if (warp) patch = samplePatch(record->second.born, *warp, tracker.half_px);
+    return patch;
+}
+
+SearchResult LandmarkFinder::search(const SearchRegion& region)
+{
+    SearchResult result;
+    const std::optional<Patch>& patch = patchOf(region.id);
+    if (!patch)
+    {
+        result.status = SearchStatus::Unpredictable;
+        return result;
+    }
+    PatchSearchRegion ellipse;
+    ellipse.centre_px = region.centre;
+    ellipse.gate = region.gate;
+    ellipse.S = clip(region.S, region.gate, options_.max_radius_px);
+    ellipse.minScore = options_.min_zncc;
+    ellipse.maxPeaks = region.maxCandidates;
+    const PatchSearch found = searchPatch(image_, *patch, ellipse);
+    result.pixels = found.pixels;
+    for (const auto& peak : found.peaks)
+    {
+        Candidate candidate{peak.uv_px, peak.score,
+                            options_.sigma_px * options_.sigma_px * Eigen::Matrix2d::Identity()};
+        if (options_.subpixel)
+        {
+            const auto aligned =
+                alignPatch(image_, *patch, peak.uv_px, trackerOptions(options_).align);
+            if (!aligned) continue;
+            candidate.z = aligned->uv_px;
+            candidate.R = aligned->R;
+        }
+        result.candidates.push_back(candidate);
+    }
+    return result;
+}
+}  // namespace monoslam

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapKeeper.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "LandmarkFinder.h"
+
+namespace monoslam
+{
+namespace
+{
+constexpr double kLeastRho = 1e-3;
+
+double sigmaRho(const Belief& belief, const LandmarkSlot& slot)
+{
+    const Eigen::Index rho = slot.offset + inverse_depth::kRho;
+    return std::sqrt(std::max(belief.P(rho, rho), 0.0));
+}
+}  // namespace
+
+MapKeeper::MapKeeper(const MonoSlamOptions& options, const Camera& camera, unsigned seed)
+    : options_(options), camera_(camera), rng_(seed)
+{
+}
+
+Mixture MapKeeper::revise(Mixture mixture, const std::vector<Association>& associations,
+                          const FrameContext& frame)
+{
+    added_ = 0;
+    removed_ = 0;
+    noteFates(associations, frame.index);
+    mixture = removeBad(std::move(mixture), frame.index);
+    mixture = convert(std::move(mixture));
+    mixture = promoteCandidates(std::move(mixture), frame);
+    mixture = addNew(std::move(mixture), frame);
+    mixture = boundState(std::move(mixture));
+    return dropUnusedClones(std::move(mixture));
+}
+
+void MapKeeper::noteFates(const std::vector<Association>& associations, long frame)
+{
+    matchedNow_ = 0;
+    for (const Association& association : associations)
+    {
+        const auto it = records_.find(association.id);
+        if (it == records_.end() || association.fate == Fate::NotSearched) continue;
+        LandmarkRecord& record = it->second;
+        ++record.searched;
+        if (association.fate != Fate::NotFound) ++record.found;
+        if (association.fate == Fate::Rejected) record.strikes.push_back(frame);
+        if (association.fate != Fate::Matched) continue;
+        ++record.matched;
+        ++matchedNow_;
+        record.lastSeen = frame;
+    }
+}
+
+bool MapKeeper::isBad(const LandmarkRecord& record, long frame) const
+{
+    const MapOptions& map = options_.map;
+    const auto recent = std::count_if(record.strikes.begin(), record.strikes.end(), [&](long at)
+                                      { return frame - at < map.strike_frames; });
+    if (map.delete_on_reject && recent > 0 && record.strikes.back() == frame) return true;
+    if (recent >= map.strikes) return true;
+    return record.searched > map.min_searched &&
+           record.matched < map.min_found_ratio * record.searched;
+}
+
+Mixture MapKeeper::removeBad(Mixture mixture, long frame)
+{
+    std::vector<LandmarkId> gone;
+    for (const auto& [id, record] : records_)
+        if (isBad(record, frame)) gone.push_back(id);
+    for (auto& weighted : mixture)
+        for (const auto& slot : weighted.belief.landmarks)
+        {
+            if (slot.kind != LandmarkKind::InverseDepth) continue;
+            double& rho = weighted.belief.x(slot.offset + inverse_depth::kRho);
+            if (rho > 0.0) continue;
+            // A negative rho puts the point behind its anchor: push it to almost infinity if that
+            // is plausible, else give it up.
+            if (rho + 2.0 * sigmaRho(weighted.belief, slot) > 0.0)
+                rho = kLeastRho;
+            else
+                gone.push_back(slot.id);
+        }
+    for (auto& weighted : mixture)
+        weighted.belief = removeLandmarks(std::move(weighted.belief), gone);
+    for (const LandmarkId id : gone) forget(id);
+    return mixture;
+}
+
+void MapKeeper::forget(LandmarkId id) { removed_ += static_cast<int>(records_.erase(id)); }
+
+Mixture MapKeeper::boundState(Mixture mixture)
+{
+    const auto most = static_cast<std::size_t>(options_.map.max_landmarks);
+    if (records_.size() <= most) return mixture;
+    std::vector<LandmarkId> order;
+    for (const auto& [id, record] : records_)
+        if (!record.known) order.push_back(id);
+    std::stable_sort(order.begin(), order.end(), [this](LandmarkId a, LandmarkId b)
+                     {
+                         const LandmarkRecord& first = records_.at(a);
+                         const LandmarkRecord& second = records_.at(b);
+                         if (first.lastSeen != second.lastSeen)
+                             return first.lastSeen < second.lastSeen;
+                         return first.matched < second.matched;
+                     });
+    order.resize(std::min(order.size(), records_.size() - most));
+    for (auto& weighted : mixture)
+        weighted.belief = removeLandmarks(std::move(weighted.belief), order);
+    for (const LandmarkId id : order) forget(id);
+    return mixture;
+}
+
+Mixture MapKeeper::convert(Mixture mixture) const
+{
+    if (options_.map.convert_linearity <= 0.0) return mixture;
+    for (auto& weighted : mixture)
+    {
+        const Belief& belief = weighted.belief;
+        std::vector<LandmarkId> ready;
+        for (const auto& slot : belief.landmarks)
+        {
+            if (slot.kind != LandmarkKind::InverseDepth) continue;
+            const Vector6d y = belief.x.segment<6>(slot.offset);
+            if (y(inverse_depth::kRho) > 0.0 &&
+                linearityIndex(y, sigmaRho(belief, slot), belief.x.head<3>()) <
+                    options_.map.convert_linearity)
+                ready.push_back(slot.id);
+        }
+        weighted.belief = convertToPoints(std::move(weighted.belief), ready);
+    }
+    return mixture;
+}
+
+std::vector<Eigen::Vector2d> MapKeeper::takenPixels(const Belief& belief) const
+{
+    std::vector<Eigen::Vector2d> taken;
+    for (const auto& slot : belief.landmarks)
+    {
+        const auto pixel = projectPixel(camera_, belief.camera(), slot.kind,
+                                        belief.x.segment(slot.offset, slot.size()));
+        if (pixel && camera_.contains(*pixel)) taken.push_back(*pixel);
+    }
+    for (const auto& corner : corners_) taken.push_back(corner.uv_px);
+    return taken;
+}
+
+UndelayedPrior MapKeeper::priorNow(const Belief& belief) const
+{
+    std::vector<double> rho;
+    for (const auto& slot : belief.landmarks)
+    {
+        const auto record = records_.find(slot.id);
+        if (record == records_.end() || record->second.matched < options_.initialization.min_seen)
+            continue;
+        const double distance = (landmarkPoint(belief, slot) - belief.x.head<3>()).norm();
+        if (distance > 0.0) rho.push_back(1.0 / distance);
+    }
+    UndelayedPrior prior;
+    prior.rho0 = options_.initialization.rho0;
+    prior.sigma_px = options_.search.subpixel ? options_.search.sigma_floor_px * 2.0
+                                              : options_.search.sigma_px;
+    if (!rho.empty())
+    {
+        const auto middle = rho.begin() + static_cast<std::ptrdiff_t>(rho.size() / 2);
+        std::nth_element(rho.begin(), middle, rho.end());
+        prior.rho0 = *middle;
+    }
+    prior.sigma_rho = options_.initialization.relative_sigma_rho * prior.rho0;
+    return prior;
+}
+}  // namespace monoslam

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "LandmarkRecord.h"
+#include "monoslam_association/Associator.h"
+#include "monoslam_models/Camera.h"
+#include "monoslam_slam/MetricStart.h"
+#include "monoslam_slam/MonoSlamOptions.h"
+#include "monoslam_vision/CornerTracker.h"
+
+namespace monoslam
+{
+/** The frame that the map is revised with. */
+struct FrameContext
+{
+    std::shared_ptr<const PreparedImage> image;
+    long index = 0;
+};
+
+/** Decides which landmarks enter, change form and leave; remembers how each one looked and fared. */
+class MapKeeper
+{
+   public:
+    MapKeeper(const MonoSlamOptions& options, const Camera& camera, unsigned seed);
+
+    /** Known points of the metric target become landmarks that are never removed while they match. */
+    [[nodiscard]] Mixture addKnownPoints(Mixture mixture, const MetricPose& target,
+                                         const FrameContext& frame);
+
+    /** First landmarks, undelayed, around the inverse depth rho0. */
+    [[nodiscard]] Mixture addFirst(Mixture mixture, const FrameContext& frame, double rho0,
+                                   double sigma_rho);
+
+    /** After an update: counts fates, removes, converts, tracks candidates, adds. */
+    [[nodiscard]] Mixture revise(Mixture mixture, const std::vector<Association>& associations,
+                                 const FrameContext& frame);
+
+    [[nodiscard]] const LandmarkRecords& records() const { return records_; }
+    [[nodiscard]] int candidates() const { return static_cast<int>(corners_.size()); }
+    [[nodiscard]] int added() const { return added_; }
+    [[nodiscard]] int removed() const { return removed_; }
+
+   private:
+    void noteFates(const std::vector<Association>& associations, long frame);
+    [[nodiscard]] bool isBad(const LandmarkRecord& record, long frame) const;
+    [[nodiscard]] Mixture removeBad(Mixture mixture, long frame);
+    [[nodiscard]] Mixture boundState(Mixture mixture);
+    [[nodiscard]] Mixture convert(Mixture mixture) const;
+    [[nodiscard]] Mixture promoteCandidates(Mixture mixture, const FrameContext& frame);
+    [[nodiscard]] bool mayEnter(const TrackedCorner& corner) const;
+    [[nodiscard]] Mixture addNew(Mixture mixture, const FrameContext& frame);
+    [[nodiscard]] Mixture addUndelayedAt(Mixture mixture, const Eigen::Vector2d& uv,
+                                         const UndelayedPrior& prior, const FrameContext& frame);
+    [[nodiscard]] Mixture startCandidates(Mixture mixture, const std::vector<Eigen::Vector2d>& pixels,
+                                          const FrameContext& frame);
+    [[nodiscard]] Mixture dropUnusedClones(Mixture mixture) const;
+    [[nodiscard]] std::vector<Eigen::Vector2d> takenPixels(const Belief& belief) const;
+    [[nodiscard]] UndelayedPrior priorNow(const Belief& belief) const;
+    void forget(LandmarkId id);
+
+    MonoSlamOptions options_;
+    Camera camera_;
+    std::mt19937 rng_;
+    LandmarkRecords records_;
+    std::vector<TrackedCorner> corners_;
+    LandmarkId nextId_ = 0;
+    CloneId nextClone_ = 0;
+    double strongest_ = 0.0;
+    int matchedNow_ = 0;
+    int added_ = 0;
+    int removed_ = 0;
+};
+}  // namespace monoslam

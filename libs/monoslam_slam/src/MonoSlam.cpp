@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monoslam_slam/MonoSlam.h"
+
+#include <cmath>
+#include <ctime>
+#include <stdexcept>
+
+#include "LandmarkFinder.h"
+#include "MapKeeper.h"
+
+namespace monoslam
+{
+namespace
+{
+constexpr double kExact = 1e-12;  ///< variance of what defines the world
+
+/** Thread CPU time since the last call [ms]. */
+class StageClock
+{
+   public:
+    double lap()
+    {
+        const double now = read();
+        return now - std::exchange(last_, now);
+    }
+
+   private:
+    static double read()
+    {
+        std::timespec t{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+        return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
+    }
+    double last_ = read();
+};
+
+double residualRms(const Belief& belief, const Camera& camera,
+                   const std::vector<Association>& associations)
+{
+    double sum = 0.0;
+    int count = 0;
+    for (const auto& association : associations)
+    {
+        const Eigen::Index index = belief.find(association.id);
+        if (association.fate != Fate::Matched || index < 0) continue;
+        const auto& slot = belief.landmarks[static_cast<std::size_t>(index)];
+        const auto pixel = projectPixel(camera, belief.camera(), slot.kind,
+                                        belief.x.segment(slot.offset, slot.size()));
+        if (!pixel) continue;
+        sum += (*pixel - association.z).squaredNorm();
+        ++count;
+    }
+    return count > 0 ? std::sqrt(sum / (2.0 * count)) : 0.0;
+}
+}  // namespace
+
+struct MonoSlam::Impl
+{
+    MonoSlamOptions options;
+    Camera camera;
+    std::unique_ptr<Associator> associator;
+    FilterEngine engine;
+    std::mt19937 rng;
+    MapKeeper keeper;
+    Mixture mixture;
+    double t_s = 0.0;
+    bool anyFrame = false;
+    int poorFrames = 0;
+
+    void check(const Frame& frame) const;
+    std::string start(const FrameContext& context, const cv::Mat& image);
+    void track(const FrameContext& context, double dt_s, FrameReport& report, StageClock& clock);
+    void judge(FrameReport& report);
+    void summarize(FrameReport& report) const;
+};
+
+void MonoSlam::Impl::check(const Frame& frame) const
+{
+    const CameraParameters& p = camera.parameters();
+    const std::string where = "frame " + std::to_string(frame.index) + ": ";
+    if (frame.image.type() != CV_8UC1) throw std::invalid_argument(where + "image is not 8-bit grey");
+    if (frame.image.cols != p.width_px || frame.image.rows != p.height_px)
+        throw std::invalid_argument(where + "image has " + std::to_string(frame.image.cols) + " x " +
+                                    std::to_string(frame.image.rows) + " pixels, the camera has " +
+                                    std::to_string(p.width_px) + " x " +
+                                    std::to_string(p.height_px));
+    if (anyFrame && !(frame.t_s > t_s)) throw std::invalid_argument(where + "time does not increase");
+}
+
+/** Puts the first belief up; returns why that is not possible yet. */
+std::string MonoSlam::Impl::start(const FrameContext& context, const cv::Mat& image)
+{
+    const InitializationOptions& init = options.initialization;
+    Vector13d x_v = Vector13d::Zero();
+    x_v(camera_state::kOrientation) = 1.0;
+    Matrix13d P_v = kExact * Matrix13d::Identity();
+    double rho0 = init.rho0;
+    double sigma_rho = init.sigma_rho;
+    std::optional<MetricPose> target;
+    if (options.metricStart.method != MetricStartMethod::None)
+    {
+        const MetricStartResult result = findMetricPose(image, camera, options.metricStart);
+        if (!result.found) return result.reason;
+        target = result.found;
+        x_v.head<7>() = target->pose;
+        P_v.topLeftCorner<7, 7>() = target->P;
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        for (const auto& p : target->points_m) middle += p / static_cast<double>(target->points_m.size());
+        rho0 = 1.0 / (middle - target->pose.head<3>()).norm();
+        sigma_rho = init.relative_sigma_rho * rho0;
+    }
+    P_v.diagonal().segment<3>(camera_state::kVelocity).setConstant(init.sigma_v * init.sigma_v);
+    P_v.diagonal()
+        .segment<3>(camera_state::kAngularVelocity)
+        .setConstant(init.sigma_omega_radps * init.sigma_omega_radps);
+    mixture = {{Belief::ofCamera(x_v, P_v), 0.0}};
+    if (target) mixture = keeper.addKnownPoints(std::move(mixture), *target, context);
+    mixture = keeper.addFirst(std::move(mixture), context, rho0, sigma_rho);
+    return {};
+}
+
+void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport& report,
+                           StageClock& clock)
+{
+    for (auto& weighted : mixture)
+        weighted.belief = engine.predict(std::move(weighted.belief), options.motion, dt_s);
+    report.times.predict_ms = clock.lap();
+
+    const Belief expected = best(mixture);
+    LandmarkFinder finder(camera, *context.image, options.search, keeper.records(), expected);
+    VisibilityOptions visibility;
+    visibility.border_px = options.search.patch_px / 2 + 2.0;
+    visibility.sigma_px =
+        options.search.subpixel ? 2.0 * options.search.sigma_floor_px : options.search.sigma_px;
+    FrameView view;
+    view.predict = [&](const Belief& belief)
+    { return predictMeasurements(belief, camera, visibility); };
+    view.search = [&](const SearchRegion& region) { return finder.search(region); };
+    view.engine = engine;
+    Correction correction = associator->correct(std::move(mixture), view, rng);
+    mixture = std::move(correction.mixture);
+    report.associations = std::move(correction.associations);
+    report.counters = correction.counters;
+    report.times.search_ms = report.counters.searchMs;
+    report.times.associate_ms = report.counters.selectMs;
+    report.times.update_ms = clock.lap() - report.counters.searchMs - report.counters.selectMs;
+    report.residualRms_px = residualRms(best(mixture), camera, report.associations);
+    for (const auto& association : report.associations)
+        if (association.fate == Fate::Matched) ++report.matched;
+    mixture = keeper.revise(std::move(mixture), report.associations, context);
+}
+
+void MonoSlam::Impl::judge(FrameReport& report)
+{
+    report.state = TrackingState::Tracking;
+    poorFrames = report.matched < options.map.min_matched ? poorFrames + 1 : 0;
+    if (poorFrames == 0) return;
+    report.state =
+        poorFrames >= options.map.lost_after ? TrackingState::Lost : TrackingState::Degraded;
+    report.remark = "only " + std::to_string(report.matched) + " landmarks matched";
+}
+
+void MonoSlam::Impl::summarize(FrameReport& report) const
+{
+    if (mixture.empty()) return;
+    const Belief& belief = best(mixture);
+    report.x_v = belief.camera();
+    report.P_v = belief.P.topLeftCorner<13, 13>();
+    report.landmarks = static_cast<int>(belief.landmarks.size());
+    report.visible = static_cast<int>(report.associations.size());
+    report.candidates = keeper.candidates();
+    report.added = keeper.added();
+    report.removed = keeper.removed();
+}
+
+MonoSlam::MonoSlam(MonoSlamOptions options, const Camera& camera,
+                   std::unique_ptr<Associator> associator, unsigned seed, FilterEngine engine)
+    : impl_(new Impl{options, camera, std::move(associator), std::move(engine), std::mt19937(seed),
+                     MapKeeper(options, camera, seed), {}})
+{
+}
+MonoSlam::~MonoSlam() = default;
+MonoSlam::MonoSlam(MonoSlam&&) noexcept = default;
+MonoSlam& MonoSlam::operator=(MonoSlam&&) noexcept = default;
+
+FrameReport MonoSlam::process(const Frame& frame)
+{
+    impl_->check(frame);
+    StageClock clock;
+    StageClock whole;
+    FrameReport report;
+    report.t_s = frame.t_s;
+    report.index = frame.index;
+    const FrameContext context{prepareImage(frame.image, impl_->options.search.smoothing_px),
+                               frame.index};
+    report.times.prepare_ms = clock.lap();
+    const double dt_s = frame.t_s - std::exchange(impl_->t_s, frame.t_s);
+    impl_->anyFrame = true;
+    if (impl_->mixture.empty())
+    {
+        report.remark = impl_->start(context, frame.image);
+        if (!impl_->mixture.empty()) report.state = TrackingState::Tracking;
+    }
+    else
+    {
+        impl_->track(context, dt_s, report, clock);
+        impl_->judge(report);
+    }
+    report.times.map_ms = clock.lap();
+    report.times.total_ms = whole.lap();
+    impl_->summarize(report);
+    return report;
+}
+
+const Mixture& MonoSlam::mixture() const { return impl_->mixture; }
+const Camera& MonoSlam::camera() const { return impl_->camera; }
+
+std::vector<MapLandmark> MonoSlam::map() const
+{
+    std::vector<MapLandmark> map;
+    if (impl_->mixture.empty()) return map;
+    const Belief& belief = best(impl_->mixture);
+    for (const auto& slot : belief.landmarks)
+    {
+        const LandmarkRecord& record = impl_->keeper.records().at(slot.id);
+        map.push_back({slot.id, slot.kind, belief.x.segment(slot.offset, slot.size()),
+                       belief.P.block(slot.offset, slot.offset, slot.size(), slot.size()),
+                       record.matched, record.lastSeen, record.known});
+    }
+    return map;
+}
+}  // namespace monoslam

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monoslam_vision/Patch.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "monoslam_models/quaternion.h"
+
+namespace monoslam
+{
+namespace
+{
+constexpr double kStep_px = 4.0;
+constexpr int kBlock = 16;
+constexpr float kFixedPoint = 8.0F;
+
+float bilinear(const cv::Mat& image, double u, double v)
+{
+    const int x = static_cast<int>(u);
+    const int y = static_cast<int>(v);
+    const auto a = static_cast<float>(u - x);
+    const auto b = static_cast<float>(v - y);
+    const auto* row = image.ptr<std::uint8_t>(y) + x;
+    const auto* below = row + image.step[0];
+    const float top = static_cast<float>(row[0]) * (1 - a) + static_cast<float>(row[1]) * a;
+    const float low = static_cast<float>(below[0]) * (1 - a) + static_cast<float>(below[1]) * a;
+    return top * (1 - b) + low * b;
+}
+
+/** Pyramid level whose pixels are about as large as one pixel now. */
+int levelFor(const Eigen::Matrix2d& warp, int levels)
+{
+    const double scale = std::sqrt(std::abs(warp.determinant()));
+    const int level = static_cast<int>(std::lround(std::log2(std::max(scale, 1.0))));
+    return std::min(level, levels - 1);
+}
+
+bool inside(const cv::Mat& image, const Eigen::Vector2d& p)
+{
+    return p.x() >= 0.0 && p.y() >= 0.0 && p.x() < image.cols - 1.0 && p.y() < image.rows - 1.0;
+}
+
+bool sampleRing(const Appearance& born, const Eigen::Matrix2d& warp, Patch& patch)
+{
+    const int level = levelFor(warp, static_cast<int>(born.image->levels.size()));
+    const cv::Mat& image = born.image->levels[static_cast<std::size_t>(level)];
+    const double shrink = 1.0 / static_cast<double>(1 << level);
+    const int reach = patch.half_px + 1;
+    const Eigen::Vector2d centre = born.uv_px * shrink;
+    const Eigen::Matrix2d step = warp * shrink;
+    for (const int cx : {-reach, reach})
+        for (const int cy : {-reach, reach})
+            if (!inside(image, centre + step * Eigen::Vector2d(cx, cy))) return false;
+    patch.grey.reserve(static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)));
+    for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx)
+        {
+            const Eigen::Vector2d p = centre + step * Eigen::Vector2d(dx, dy);
+            patch.grey.push_back(bilinear(image, p.x(), p.y()));
+        }
+    return true;
+}
+
+/** Zero-mean fixed-point copy, rows padded with zeros to whole blocks. */
+void centre(Patch& patch)
+{
+    const int side = patch.side();
+    patch.stride = (side + kBlock - 1) / kBlock * kBlock;
+    patch.centred.assign(static_cast<std::size_t>(patch.stride * side), 0);
+    double sum = 0.0;
+    for (int dy = -patch.half_px; dy <= patch.half_px; ++dy)
+        for (int dx = -patch.half_px; dx <= patch.half_px; ++dx)
+            sum += static_cast<double>(patch.at(dx, dy));
+    const double mean = sum / (side * side);
+    double squares = 0.0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+        {
+            const double value =
+                static_cast<double>(patch.at(x - patch.half_px, y - patch.half_px)) - mean;
+            const auto fixed = static_cast<std::int16_t>(std::lround(value * kFixedPoint));
+            patch.centred[static_cast<std::size_t>(y * patch.stride + x)] = fixed;
+            squares += static_cast<double>(fixed) * fixed;
+        }
+    patch.norm = std::sqrt(squares);
+    patch.deviation = patch.norm / (kFixedPoint * side);
+}
+}  // namespace
+
+std::optional<Eigen::Matrix2d> predictWarp(const Camera& camera, const Appearance& born,
+                                           const Vector7d& pose, const Eigen::Vector3d& p_w,
+                                           const WarpLimits& limits)
+{
+    const Eigen::Matrix3d R_wb = rotationMatrix(born.pose.tail<4>());
+    const Eigen::Matrix3d R_wc = rotationMatrix(pose.tail<4>());
+    const Eigen::Vector3d p_b = R_wb.transpose() * (p_w - born.pose.head<3>());
+    const Eigen::Vector3d seenNow_b = R_wb.transpose() * (p_w - pose.head<3>());
+    const Eigen::Vector3d a = p_b.normalized();
+    const Eigen::Vector3d b = seenNow_b.normalized();
+    if (a.dot(b) < std::cos(limits.maxViewAngle_rad)) return std::nullopt;
+    const Eigen::Vector3d normal = (a + b).normalized();
+    const double distance = normal.dot(p_b);
+
+    const auto seenNow = [&](const Eigen::Vector2d& offset) -> std::optional<Eigen::Vector2d>
+    {
+        const auto ray = camera.unproject(born.uv_px + offset);
+        if (!ray) return std::nullopt;
+        const double along = normal.dot(*ray);
+        if (along <= 1e-3) return std::nullopt;
+        const Eigen::Vector3d q_b = *ray * (distance / along);
+        const Eigen::Vector3d q_w = R_wb * q_b + born.pose.head<3>();
+        return camera.project(R_wc.transpose() * (q_w - pose.head<3>()));
+    };
+    Eigen::Matrix2d J_now_born;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        const Eigen::Vector2d offset = kStep_px * Eigen::Vector2d::Unit(axis);
+        const auto plus = seenNow(offset);
+        const auto minus = seenNow(-offset);
+        if (!plus || !minus) return std::nullopt;
+        J_now_born.col(axis) = (*plus - *minus) / (2.0 * kStep_px);
+    }
+    const double scale2 = J_now_born.determinant();
+    const double limit2 = limits.maxScale * limits.maxScale;
+    if (!(scale2 > 1.0 / limit2 && scale2 < limit2)) return std::nullopt;
+    return J_now_born.inverse();
+}
+
+std::optional<Patch> samplePatch(const Appearance& born, const Eigen::Matrix2d& warp, int half_px)
+{
+    Patch patch;
+    patch.half_px = half_px;
+    if (!sampleRing(born, warp, patch)) return std::nullopt;
+    centre(patch);
+    return patch;
+}
+}  // namespace monoslam
