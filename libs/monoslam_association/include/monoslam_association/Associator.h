@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -59,6 +60,9 @@ struct FrameView
     std::function<Prediction(const Belief&)> predict;
     std::function<SearchResult(const SearchRegion&)> search;
     FilterEngine engine;
+    /** Optional: pixel of a landmark from another mean; without it second-stage regions are linear. */
+    std::function<std::optional<Eigen::Vector2d>(const Eigen::VectorXd& x, const PredictedLandmark&)>
+        project = {};
 };
 
 /** What became of one visible landmark in one frame. */
@@ -89,14 +93,14 @@ struct AssociationCounters
     long searches = 0;      ///< image searches
     long pairs = 0;         ///< n: pairs that went into validation
     long rejected = 0;      ///< r
-    long jointSearches = 0; ///< frames (or calls) in which the full set was not compatible
+    long jointSearches = 0; ///< calls in which the full set was not compatible
     long nodes = 0;
     long leaves = 0;
     long d2Evaluations = 0;
     long faults = 0;        ///< indefinite S met in the update
     bool provedOptimal = true;
     double jointD2 = 0.0;   ///< of the accepted set
-    double searchMs = 0.0;  ///< wall time of image search
+    double searchMs = 0.0;  ///< thread CPU time of image search
     double selectMs = 0.0;  ///< of association proper
     double updateMs = 0.0;  ///< of predicted measurements and filter update
 };
@@ -141,27 +145,29 @@ struct MONOSLAM_ASSOCIATION_EXPORT BatchOptions
     static BatchOptions from(const mrpt::config::CConfigFileBase& file, const std::string& fileName);
 };
 
-/** One pair that a batch strategy may accept: row of the Prediction and its candidate. */
-struct Pair
-{
-    Eigen::Index row = 0;
-    Candidate candidate;
-};
-
 /** Pairs of one frame as the batch strategies see them: candidates[i] belong to rows[i]. */
 struct AssociationProblem
 {
     const Prediction* prediction = nullptr;
     std::vector<Eigen::Index> rows;
     std::vector<std::vector<Candidate>> candidates;  ///< non-empty, best score first
-    double gate = 5.9915;
+    std::vector<SearchRegion> regions;               ///< where candidates[i] were searched
 };
 
-/** Searches all, decides once, updates once: NN, JCBB, HOHCT (house rules: section 6). */
+/** Searches all, decides once, updates once: NN, JCBB, HOHCT.
+ *
+ * The landmarks are searched in two stages: the oldest ones, well spread, in their own gates; what
+ * select() accepts of them shrinks the gates of the rest,
+ *
+ *      S_j|a = S_j - HPHt_ja S_aa^-1 HPHt_aj,   centre = h_j + HPHt_ja S_aa^-1 nu_a
+ *
+ * Then select() decides over the pairs of both stages against the prior's joint S. Joint strategies
+ * go through one more test: every accepted pair given all others, and every rejected pair given
+ * the accepted ones, against chi2(2, final_gate_probability). */
 class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
 {
    public:
-    explicit BatchAssociator(BatchOptions options) : options_(options) {}
+    explicit BatchAssociator(const BatchOptions& options);
     [[nodiscard]] Correction correct(Mixture predicted, const FrameView& view,
                                      std::mt19937& rng) const final;
 
@@ -170,8 +176,13 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
     [[nodiscard]] virtual std::vector<int> select(const AssociationProblem& problem,
                                                   AssociationCounters& counters) const = 0;
     [[nodiscard]] virtual int maxCandidates() const { return 1; }
+    [[nodiscard]] virtual bool validatesJointly() const { return false; }
+    [[nodiscard]] std::vector<int> decide(const AssociationProblem& problem,
+                                          AssociationCounters& counters) const;
 
     BatchOptions options_;
+    double gate_;
+    double finalGate_;
 };
 
 using AssociatorFactory = std::function<std::unique_ptr<Associator>(

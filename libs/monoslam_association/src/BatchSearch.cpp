@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BatchSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "ConditionalPrediction.h"
+
+namespace monoslam
+{
+namespace
+{
+/** Variance that covers what a linear prediction misses [px^2]. */
+constexpr double kLinearizationVariance_px2 = 0.5;
+/** A shift of c pixels is taken to be wrong by c^2 / kCurvature_px (second order of a rotation). */
+constexpr double kCurvature_px = 1000.0;
+
+bool positiveDefinite(const Eigen::Matrix2d& A)
+{
+    return A.allFinite() && A(0, 0) > 0.0 && A(1, 1) > 0.0 && A.determinant() > 0.0;
+}
+
+bool usable(const Candidate& candidate)
+{
+    return candidate.z.allFinite() && std::isfinite(candidate.score) &&
+           positiveDefinite(candidate.R);
+}
+
+bool better(const Candidate& a, const Candidate& b)
+{
+    if (a.score != b.score) return a.score > b.score;
+    return a.z(1) != b.z(1) ? a.z(1) < b.z(1) : a.z(0) < b.z(0);
+}
+}  // namespace
+
+BatchSearch::BatchSearch(const Belief& prior, const Prediction& prediction, const FrameView& view,
+                         const Settings& settings)
+    : prior_(prior), prediction_(prediction), view_(view), settings_(settings)
+{
+    problem_.prediction = &prediction;
+    for (Eigen::Index row = 0; row < prediction.count(); ++row)
+    {
+        const PredictedLandmark& landmark = at(row);
+        Association record;
+        record.id = landmark.id;
+        record.h = landmark.h;
+        record.S = landmark.S;
+        record.z = landmark.h;
+        record.R = landmark.R;
+        associations.push_back(record);
+        if (landmark.h.allFinite() && positiveDefinite(landmark.S)) untried_.push_back(row);
+    }
+    std::sort(untried_.begin(), untried_.end(),
+              [this](Eigen::Index a, Eigen::Index b) { return at(a).id < at(b).id; });
+}
+
+const PredictedLandmark& BatchSearch::at(Eigen::Index row) const
+{
+    return prediction_.rows[static_cast<std::size_t>(row)];
+}
+
+SearchRegion BatchSearch::ownRegion(Eigen::Index row) const
+{
+    SearchRegion region;
+    region.id = at(row).id;
+    region.centre = at(row).h;
+    region.S = at(row).S;
+    region.gate = settings_.gate;
+    region.maxCandidates = settings_.maxCandidates;
+    return region;
+}
+
+SearchRegion BatchSearch::regionGiven(const ConditionalPrediction& accepted,
+                                      const Eigen::VectorXd& x, Eigen::Index row) const
+{
+    const ConditionalPrediction::Row given = accepted.row(row);
+    const auto projected = view_.project ? view_.project(x, at(row)) : std::nullopt;
+    double variance_px2 = kLinearizationVariance_px2;
+    if (!projected) variance_px2 += std::pow(given.shift.squaredNorm() / kCurvature_px, 2);
+    SearchRegion region = ownRegion(row);
+    region.centre = projected ? *projected : Eigen::Vector2d(at(row).h + given.shift);
+    region.S = given.HPHt + at(row).R + variance_px2 * Eigen::Matrix2d::Identity();
+    return region;
+}
+
+bool BatchSearch::search(Eigen::Index row, const SearchRegion& region)
+{
+    if (!region.centre.allFinite() || !positiveDefinite(region.S)) return false;
+    Association& record = associations[static_cast<std::size_t>(row)];
+    record.S = region.S;
+    SearchResult result = view_.search(region);
+    ++counters.searches;
+    counters.pixelsCorrelated += result.pixels;
+    if (result.status != SearchStatus::Done) return false;
+
+    searched_.push_back(at(row).h);
+    record.fate = Fate::NotFound;
+    auto& found = result.candidates;
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [](const Candidate& c) { return !usable(c); }),
+                found.end());
+    if (found.empty()) return true;
+    std::sort(found.begin(), found.end(), better);
+    if (found.size() > static_cast<std::size_t>(settings_.maxCandidates))
+        found.resize(static_cast<std::size_t>(settings_.maxCandidates));
+    record.fate = Fate::Rejected;
+    problem_.rows.push_back(row);
+    problem_.candidates.push_back(std::move(found));
+    problem_.regions.push_back(region);
+    return true;
+}
+
+void BatchSearch::searchFirstStage()
+{
+    const int wanted = std::min(settings_.options.first_stage, settings_.options.max_measured);
+    const double distance_px = settings_.options.first_stage_distance_px;
+    std::vector<Eigen::Index> left;
+    for (const Eigen::Index row : untried_)
+    {
+        const auto near = [&](const Eigen::Vector2d& h)
+        { return (h - at(row).h).norm() < distance_px; };
+        if (static_cast<int>(searched_.size()) >= wanted ||
+            std::any_of(searched_.begin(), searched_.end(), near))
+            left.push_back(row);
+        else
+            search(row, ownRegion(row));
+    }
+    untried_ = std::move(left);
+}
+
+std::vector<double> BatchSearch::spreads() const
+{
+    std::vector<double> distances(untried_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < untried_.size(); ++i)
+        for (const Eigen::Vector2d& h : searched_)
+            distances[i] = std::min(distances[i], (h - at(untried_[i]).h).norm());
+    return distances;
+}
+
+void BatchSearch::pickSpread(const std::function<SearchRegion(Eigen::Index)>& regionOf)
+{
+    std::vector<double> distances = spreads();
+    while (!untried_.empty() &&
+           static_cast<int>(searched_.size()) < settings_.options.max_measured)
+    {
+        const auto farthest = std::max_element(distances.begin(), distances.end());
+        const auto index = farthest - distances.begin();
+        const Eigen::Index row = untried_[static_cast<std::size_t>(index)];
+        untried_.erase(untried_.begin() + index);
+        distances.erase(farthest);
+        if (!search(row, regionOf(row))) continue;
+        for (std::size_t i = 0; i < untried_.size(); ++i)
+            distances[i] = std::min(distances[i], (at(row).h - at(untried_[i]).h).norm());
+    }
+}
+
+void BatchSearch::searchRest(const std::vector<int>& accepted)
+{
+    const std::vector<PixelMeasurement> pixels = pixelsOf(problem_, accepted);
+    if (pixels.size() >= kPoseFixingPairs)
+    {
+        const ConditionalPrediction given(prediction_, pixels);
+        if (given.valid())
+        {
+            const Eigen::VectorXd x = view_.project
+                                          ? ekfUpdateMean(prior_, prediction_, pixels)
+                                          : Eigen::VectorXd();
+            return pickSpread([&](Eigen::Index row) { return regionGiven(given, x, row); });
+        }
+    }
+    pickSpread([this](Eigen::Index row) { return ownRegion(row); });
+}
+}  // namespace monoslam

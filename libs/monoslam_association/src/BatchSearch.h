@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "monoslam_association/Associator.h"
+
+namespace monoslam
+{
+class ConditionalPrediction;
+
+/** The image searches of one frame of a batch strategy, and the pairs they bring.
+ *
+ * Orders are by landmark id, so that the order of the landmarks in the state changes nothing. */
+class BatchSearch
+{
+   public:
+    struct Settings
+    {
+        double gate = 5.9915;
+        int maxCandidates = 1;
+        BatchOptions options;
+    };
+
+    BatchSearch(const Belief& prior, const Prediction& prediction, const FrameView& view,
+                const Settings& settings);
+
+    /** The oldest landmarks that are far enough from each other, in their own gates. */
+    void searchFirstStage();
+    /** The others, farthest from the searched ones first, in gates given the accepted pairs. */
+    void searchRest(const std::vector<int>& accepted);
+
+    [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
+    /** Records of every row of the prediction, and the search counters. */
+    std::vector<Association> associations;
+    AssociationCounters counters;
+
+   private:
+    [[nodiscard]] SearchRegion ownRegion(Eigen::Index row) const;
+    [[nodiscard]] SearchRegion regionGiven(const ConditionalPrediction& accepted,
+                                           const Eigen::VectorXd& x, Eigen::Index row) const;
+    [[nodiscard]] const PredictedLandmark& at(Eigen::Index row) const;
+    bool search(Eigen::Index row, const SearchRegion& region);
+    [[nodiscard]] std::vector<double> spreads() const;
+    void pickSpread(const std::function<SearchRegion(Eigen::Index)>& regionOf);
+
+    const Belief& prior_;
+    const Prediction& prediction_;
+    const FrameView& view_;
+    Settings settings_;
+    AssociationProblem problem_;
+    std::vector<Eigen::Index> untried_;      ///< rows, by landmark id
+    std::vector<Eigen::Vector2d> searched_;  ///< predicted pixels of the rows searched so far
+};
+
+/** Pixels chosen in a problem, -1 = none. */
+[[nodiscard]] std::vector<PixelMeasurement> pixelsOf(const AssociationProblem& problem,
+                                                     const std::vector<int>& chosen);
+
+/** The last test of an accepted set; pairs are taken out and put back in \p chosen.
+ *
+ * While the worst NIS of an accepted pair given all others exceeds \p limit that pair is removed.
+ * Then every pair left out whose NIS given the accepted set is within the limit is put back, if at
+ * least three are accepted and its pixel is free. Joint tests of many pairs absorb weak outliers
+ * and sacrifice neighbours of strong ones; this test does neither. */
+void applyFinalGate(const AssociationProblem& problem, double limit, std::vector<int>& chosen);
+}  // namespace monoslam
