@@ -34,8 +34,7 @@ Eigen::MatrixXd numericalJacobian(const Function& f, const Eigen::MatrixBase<Der
  *  entry if not.
  *  \param f  a function of a vector, callable around x by twice the step */
 template <typename Function, typename DerivedX, typename DerivedJ>
-::testing::AssertionResult jacobianMatches(const Function& f,
-                                           const Eigen::MatrixBase<DerivedX>& x,
+::testing::AssertionResult jacobianMatches(const Function& f, const Eigen::MatrixBase<DerivedX>& x,
                                            const Eigen::MatrixBase<DerivedJ>& J,
                                            double tolerance = 1e-7, double step = 1e-4)
 {
@@ -46,8 +45,7 @@ template <typename Function, typename DerivedX, typename DerivedJ>
                << numerical.rows() << " x " << numerical.cols();
     if (!J.allFinite()) return ::testing::AssertionFailure() << "not finite:\n" << J;
 
-    const Eigen::ArrayXXd error =
-        (J - numerical).array().abs() / (1 + numerical.array().abs());
+    const Eigen::ArrayXXd error = (J - numerical).array().abs() / (1 + numerical.array().abs());
     Eigen::Index row = 0, column = 0;
     const double worst = error.maxCoeff(&row, &column);
     if (worst <= tolerance) return ::testing::AssertionSuccess();

@@ -184,8 +184,7 @@ TEST(ConfigSection, ReadsADecimalPointInEveryLocale)
     };
     const CConfigFileMemory file = fileWith("d = 1.5\nl = 1.5 2.5");
     ConfigSection section(file, "s");
-    const std::locale before =
-        std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
     const double number = section.get("d", 0.0);
     const std::vector<double> list = section.get("l", std::vector<double>{});
     std::locale::global(before);

@@ -103,7 +103,8 @@ TEST(Quaternion, LogInvertsExpForBothSigns)
 TEST(Quaternion, LogTakesTheShorterWay)
 {
     const Eigen::Vector3d phi(0, 0, 1.5 * kPi);
-    EXPECT_LT((quaternionLog(quaternionExp(phi)) - Eigen::Vector3d(0, 0, -0.5 * kPi)).norm(), 1e-12);
+    EXPECT_LT((quaternionLog(quaternionExp(phi)) - Eigen::Vector3d(0, 0, -0.5 * kPi)).norm(),
+              1e-12);
 }
 
 TEST(Quaternion, ProductJacobiansMatchDifferences)

@@ -37,16 +37,16 @@ struct OddPolynomial
         {
             const double error = s * factor(s * s) - t;
             const double slope = derivative(s * s);
+            if (slope > 0 && std::abs(error) <= 1e-15 * (s + t)) break;
             (error > 0 || slope <= 0 ? high : low) = s;
             double next = s - error / slope;
             const bool isInside = slope > 0 && next >= low && next <= high;
             if (!isInside) next = std::isinf(high) ? 2 * s : 0.5 * (low + high);
-            if (std::abs(next - s) <= 1e-15 * (1 + s))
-                return std::abs(error) <= 1e-12 * (1 + t) ? std::optional<double>(next)
-                                                          : std::nullopt;
+            if (std::abs(next - s) <= 1e-15 * s) break;  // at the solution, or at the fold
             s = next;
         }
-        return {};
+        const bool isSolved = std::abs(s * factor(s * s) - t) <= 1e-12 * (s + t);
+        return isSolved && derivative(s * s) > 0 ? std::optional<double>(s) : std::nullopt;
     }
 };
 
