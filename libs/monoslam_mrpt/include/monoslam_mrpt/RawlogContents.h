@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/poses/CPose3D.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "monoslam_mrpt/export.h"
+#include "monoslam_mrpt/imageOf.h"
+#include "monoslam_mrpt/timestamps.h"
+
+namespace monoslam
+{
+/** A pose of the world's truth as the rawlog holds it. */
+struct StampedPose
+{
+    Ticks t = 0;
+    mrpt::poses::CPose3D pose;
+};
+
+/** What one pass over a rawlog finds, without decoding external images. */
+struct RawlogContents
+{
+    std::map<std::string, std::vector<Ticks>> imageTimes;  ///< of every label, in file order
+    std::vector<StampedPose> groundTruth;                  ///< CObservationRobotPose labelled GT
+    std::map<std::string, long> classes;                   ///< observations of each class
+};
+
+/** \throw std::runtime_error if the file is missing, truncated or no rawlog */
+[[nodiscard]] MONOSLAM_MRPT_EXPORT RawlogContents scanRawlog(const std::string& file,
+                                                             StereoSide side = StereoSide::Left);
+}  // namespace monoslam

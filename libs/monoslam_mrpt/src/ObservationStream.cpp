@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monoslam_mrpt/ObservationStream.h"
+
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "monoslam_mrpt/registerAllClasses.h"
+
+namespace monoslam
+{
+using mrpt::obs::CObservation;
+using mrpt::serialization::CSerializable;
+
+namespace
+{
+/** The first line of an MRPT exception that says something, without its stack trace. */
+std::string essence(const std::exception& error)
+{
+    const std::string text = error.what();
+    const std::string head = "Message:";
+    auto begin = text.find(head);
+    begin = begin == std::string::npos ? 0 : begin + head.size();
+    begin = text.find_first_not_of(" \n", begin);
+    if (begin == std::string::npos) return "unknown error";
+    return text.substr(begin, text.find('\n', begin) - begin);
+}
+}  // namespace
+
+ObservationStream::ObservationStream(const std::string& file) : file_(file)
+{
+    registerAllClasses();
+    if (!std::filesystem::exists(file)) throw std::runtime_error(file + ": no such rawlog");
+    if (!std::filesystem::is_regular_file(file) || !stream_.open(file))
+        throw std::runtime_error(file + ": cannot be read as a rawlog");
+}
+
+CSerializable::Ptr ObservationStream::readObject()
+{
+    try
+    {
+        auto object = mrpt::serialization::archiveFrom(stream_).ReadObject();
+        ++objects_;
+        return object;
+    }
+    catch (const mrpt::serialization::CExceptionEOF&)
+    {
+        return nullptr;
+    }
+    catch (const std::exception& e)
+    {
+        if (objects_ == 0)
+            throw std::runtime_error(file_ + ": not a rawlog (" + essence(e) + ")");
+        throw std::runtime_error(file_ + ": truncated or damaged after " +
+                                 std::to_string(objects_) + " objects (" + essence(e) + ")");
+    }
+}
+
+CObservation::Ptr ObservationStream::next()
+{
+    while (pending_.empty())
+    {
+        const auto object = readObject();
+        if (!object) return nullptr;
+        if (auto observation = std::dynamic_pointer_cast<CObservation>(object))
+            pending_.push_back(std::move(observation));
+        else if (auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object))
+            pending_.assign(frame->begin(), frame->end());
+    }
+    auto observation = std::move(pending_.front());
+    pending_.pop_front();
+    return observation;
+}
+}  // namespace monoslam
