@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgeModel.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace monoslam
+{
+namespace
+{
+constexpr int kSideSize = 6;
+constexpr int kSize = 4 * kSideSize + 1;
+constexpr double kConverged = 2e-4;  ///< [px] and grey levels / 255
+using Parameters = Eigen::Matrix<double, kSize, 1>;
+using Normal = Eigen::Matrix<double, kSize, kSize>;
+using SideGradient = Eigen::Matrix<double, kSideSize, 1>;
+
+double srgbToLight(double v)
+{
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+double srgbSlope(double v)
+{
+    return v <= 0.04045 ? 1.0 / 12.92 : 2.4 / 1.055 * std::pow((v + 0.055) / 1.055, 1.4);
+}
+
+/** light = (1 - t) v + t srgb(v); v may leave [0, 1] a little, where it goes on straight. */
+struct Response
+{
+    double t;
+    [[nodiscard]] double light(double v) const { return (1.0 - t) * v + t * srgbToLight(v); }
+    [[nodiscard]] double slope(double v) const { return 1.0 - t + t * srgbSlope(v); }
+    [[nodiscard]] double grey(double light_, double guess) const
+    {
+        double v = guess;
+        for (int i = 0; i < 8; ++i)
+        {
+            const double step = (light_ - light(v)) / slope(v);
+            v += std::clamp(step, -0.3, 0.3);
+            if (std::abs(step) < 1e-7) break;
+        }
+        return v;
+    }
+};
+
+struct Modelled
+{
+    double grey;            ///< 0 .. 1
+    SideGradient gradient;  ///< over the side's parameters
+    double dt;              ///< over the response
+};
+
+Modelled modelled(const EdgePixel& pixel, const SideFit& side, double t)
+{
+    const Response response{t};
+    const double u =
+        (pixel.d_px - pixel.stretch * (side.offset_px + side.tilt_px * pixel.s)) / side.blur_px;
+    const double Phi = 0.5 * std::erfc(-u * M_SQRT1_2);
+    const double density = std::exp(-0.5 * u * u) / std::sqrt(2.0 * M_PI) / side.blur_px;
+    const double outside = side.outside + side.shading * pixel.s;
+    const double lightIn = response.light(side.inside);
+    const double lightOut = response.light(outside);
+    const double light = lightIn + (lightOut - lightIn) * Phi;
+    Modelled m;
+    m.grey = response.grey(light, side.inside + (outside - side.inside) * Phi);
+    const double J_v_light = 1.0 / response.slope(m.grey);
+    const double J_light_d = (lightOut - lightIn) * density;
+    const auto bend = [](double v) { return srgbToLight(v) - v; };
+    m.gradient << -J_light_d * pixel.stretch, -J_light_d * pixel.stretch * pixel.s,
+        response.slope(side.inside) * (1.0 - Phi), response.slope(outside) * Phi,
+        response.slope(outside) * Phi * pixel.s, -J_light_d * u;
+    m.gradient *= J_v_light;
+    m.dt = J_v_light * ((1.0 - Phi) * bend(side.inside) + Phi * bend(outside) - bend(m.grey));
+    return m;
+}
+
+double median(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+std::optional<SideFit> firstGuess(const std::vector<EdgePixel>& pixels)
+{
+    std::vector<double> inside;
+    std::vector<double> outside;
+    for (const auto& pixel : pixels)
+    {
+        if (pixel.d_px < -2.0) inside.push_back(pixel.grey / 255.0);
+        if (pixel.d_px > 2.0) outside.push_back(pixel.grey / 255.0);
+    }
+    if (inside.size() < 8 || outside.size() < 8) return std::nullopt;
+    SideFit side;
+    side.inside = median(std::move(inside));
+    side.outside = median(std::move(outside));
+    return side;
+}
+
+/** A^-1 b with the response kept in [0, 1]: at the bound the others move as if it were known. */
+Parameters solved(Normal A, Parameters b, double response)
+{
+    const Parameters free = A.ldlt().solve(b);
+    const double wanted = response + free(kSize - 1);
+    if (wanted >= 0.0 && wanted <= 1.0) return free;
+    const double move = std::clamp(wanted, 0.0, 1.0) - response;
+    b -= move * A.col(kSize - 1);
+    b(kSize - 1) = move;
+    A.col(kSize - 1).setZero();
+    A.row(kSize - 1).setZero();
+    A(kSize - 1, kSize - 1) = 1.0;
+    return A.ldlt().solve(b);
+}
+
+/** One Gauss-Newton step; Huber weights at 2.5 sigma. */
+Parameters step(const std::array<std::vector<EdgePixel>, 4>& sides, EdgeFit& fit)
+{
+    Normal A = Normal::Zero();
+    Parameters b = Parameters::Zero();
+    std::vector<double> residuals;
+    const double sigma = std::max(fit.noise_grey, 0.5) / 255.0;
+    for (int k = 0; k < 4; ++k)
+        for (const auto& pixel : sides[k])
+        {
+            const Modelled m = modelled(pixel, fit.sides[k], fit.response);
+            const double r = pixel.grey / 255.0 - m.grey;
+            const double weight = std::min(1.0, 2.5 * sigma / std::max(std::abs(r), 1e-9));
+            const int at = kSideSize * k;
+            A.block<kSideSize, kSideSize>(at, at) += weight * m.gradient * m.gradient.transpose();
+            A.block<kSideSize, 1>(at, kSize - 1) += weight * m.dt * m.gradient;
+            A(kSize - 1, kSize - 1) += weight * m.dt * m.dt;
+            b.segment<kSideSize>(at) += weight * r * m.gradient;
+            b(kSize - 1) += weight * r * m.dt;
+            residuals.push_back(std::abs(r));
+        }
+    A(kSize - 1, kSize - 1) += sigma * sigma / 0.25;  // prior: response 0.5 +- 0.5
+    b(kSize - 1) += sigma * sigma / 0.25 * (0.5 - fit.response);
+    A.bottomRows<1>() = A.rightCols<1>().transpose();
+    A.diagonal().array() *= 1.0 + 1e-6;
+    fit.noise_grey = 255.0 * 1.4826 * median(std::move(residuals));
+    return solved(A, b, fit.response);
+}
+
+void apply(const Parameters& change, EdgeFit& fit)
+{
+    for (int k = 0; k < 4; ++k)
+    {
+        const SideGradient d = change.segment<kSideSize>(kSideSize * k);
+        SideFit& side = fit.sides[k];
+        side.offset_px += std::clamp(d(0), -1.0, 1.0);
+        side.tilt_px += std::clamp(d(1), -1.0, 1.0);
+        side.inside = std::clamp(side.inside + d(2), -0.2, 1.2);
+        side.outside = std::clamp(side.outside + d(3), -0.2, 1.2);
+        side.shading = std::clamp(side.shading + d(4), -0.2, 0.2);
+        side.blur_px = std::clamp(side.blur_px + std::clamp(d(5), -0.3, 0.3), 0.3, 4.0);
+    }
+    fit.response = std::clamp(fit.response + change(kSize - 1), 0.0, 1.0);
+}
+}  // namespace
+
+std::optional<EdgeFit> fitEdges(const std::array<std::vector<EdgePixel>, 4>& sides)
+{
+    EdgeFit fit;
+    for (int k = 0; k < 4; ++k)
+    {
+        const auto side = firstGuess(sides[k]);
+        if (!side) return std::nullopt;
+        fit.sides[k] = *side;
+    }
+    fit.noise_grey = 10.0;
+    for (int iteration = 0; iteration < 20; ++iteration)
+    {
+        const Parameters change = step(sides, fit);
+        if (!change.allFinite()) return std::nullopt;
+        apply(change, fit);
+        if (iteration > 3 && change.cwiseAbs().maxCoeff() < kConverged) break;
+    }
+    return fit;
+}
+}  // namespace monoslam

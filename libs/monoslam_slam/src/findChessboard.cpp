@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <opencv2/calib3d.hpp>
+#include <utility>
+
+#include "findTarget.h"
+
+namespace monoslam
+{
+namespace
+{
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/** Corners (0, 0), (n-1, 0), (n-1, m-1), (0, m-1); x cross y points into the scene. */
+Quad outerCorners(const std::vector<cv::Point2f>& grid, const Eigen::Vector2i& counts)
+{
+    const auto at = [&](int i, int j)
+    {
+        const cv::Point2f& p = grid[static_cast<std::size_t>(j * counts.x() + i)];
+        return Eigen::Vector2d(p.x, p.y);
+    };
+    const int n = counts.x() - 1;
+    const int m = counts.y() - 1;
+    Quad quad{at(0, 0), at(n, 0), at(n, m), at(0, m)};
+    if (cross(quad[1] - quad[0], quad[3] - quad[0]) < 0)
+        quad = {at(0, m), at(n, m), at(n, 0), at(0, 0)};
+    return quad;
+}
+
+/** Of the labellings that the board's outline allows, the one whose x axis points most to the
+ *  right in the image: half turns, and for equal counts quarter turns. */
+Quad uprightLabelling(const Quad& quad, bool square)
+{
+    Quad best = quad;
+    for (int turn = square ? 1 : 2; turn < 4; turn += square ? 1 : 2)
+    {
+        Quad turned;
+        for (int k = 0; k < 4; ++k) turned[k] = quad[(k + turn) % 4];
+        const double x = (turned[1] - turned[0]).normalized().x();
+        if (x > (best[1] - best[0]).normalized().x()) best = turned;
+    }
+    return best;
+}
+}  // namespace
+
+TargetSearch findChessboard(const cv::Mat& image, const MetricStartOptions& options)
+{
+    const Eigen::Vector2i& counts = options.chessboard_inner_corners;
+    std::vector<cv::Point2f> grid;
+    const cv::Size size(counts.x(), counts.y());
+    const bool found = cv::findChessboardCornersSB(image, size, grid, cv::CALIB_CB_NORMALIZE_IMAGE);
+    if (!found) return {std::nullopt, "no chessboard of that size in the image"};
+    const Quad quad = uprightLabelling(outerCorners(grid, counts), counts.x() == counts.y());
+    const double x_m = options.chessboard_square_m * (counts.x() - 1);
+    const double y_m = options.chessboard_square_m * (counts.y() - 1);
+    SeenPoints seen;
+    seen.points_m = {{0, 0, 0}, {x_m, 0, 0}, {x_m, y_m, 0}, {0, y_m, 0}};
+    seen.pixels_px.assign(quad.begin(), quad.end());
+    seen.sigmas_px.assign(4, options.corner_sigma_px);
+    seen.point_sigma_m = options.point_sigma_m;
+    return {seen, {}};
+}
+}  // namespace monoslam
