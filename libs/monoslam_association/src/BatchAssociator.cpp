@@ -84,54 +84,56 @@ std::vector<int> BatchAssociator::decide(const AssociationProblem& problem,
     return chosen;
 }
 
+std::vector<int> BatchAssociator::choose(BatchSearch& search) const
+{
+    LapClock clock;
+    AssociationCounters& counters = search.counters;
+    search.searchFirstStage();
+    clock.lap(counters.searchMs);
+    const std::vector<int> first = decide(search.problem(), counters);
+    clock.lap(counters.selectMs);
+    search.searchRest(first);
+    clock.lap(counters.searchMs);
+
+    const AssociationProblem& problem = search.problem();
+    std::vector<int> chosen =
+        problem.rows.size() == first.size() ? first : decide(problem, counters);
+    const auto pixels = pixelsOf(problem, chosen);
+    if (!pixels.empty() && !updatable(*problem.prediction, pixels, counters.jointD2))
+    {
+        ++counters.faults;
+        chosen.assign(chosen.size(), -1);
+    }
+    record(problem, chosen, search.associations);
+    clock.lap(counters.selectMs);
+    return chosen;
+}
+
 Correction BatchAssociator::correct(Mixture predicted, const FrameView& view,
                                     std::mt19937& /*rng*/) const
 {
     if (predicted.size() != 1)
         throw std::logic_error("BatchAssociator: the mixture must hold exactly one belief");
     Belief& belief = predicted.front().belief;
-    Correction correction;
     LapClock clock;
-    double searchMs = 0.0, selectMs = 0.0, updateMs = 0.0;
-
+    double predictMs = 0.0;
     const Prediction prediction = view.predict(belief);
-    clock.lap(updateMs);
+    clock.lap(predictMs);
+
     BatchSearch search(belief, prediction, view, {gate_, maxCandidates(), options_});
+    const std::vector<PixelMeasurement> pixels = pixelsOf(search.problem(), choose(search));
     AssociationCounters& counters = search.counters;
-    search.searchFirstStage();
-    clock.lap(searchMs);
-    const std::vector<int> first = decide(search.problem(), counters);
-    clock.lap(selectMs);
-    search.searchRest(first);
-    clock.lap(searchMs);
-
-    const AssociationProblem& problem = search.problem();
-    std::vector<int> chosen =
-        problem.rows.size() == first.size() ? first : decide(problem, counters);
-    std::vector<PixelMeasurement> pixels = pixelsOf(problem, chosen);
-    if (!pixels.empty() && !updatable(prediction, pixels, counters.jointD2))
-    {
-        ++counters.faults;
-        pixels.clear();
-        chosen.assign(chosen.size(), -1);
-    }
-    record(problem, chosen, search.associations);
-    clock.lap(selectMs);
-
-    int faults = 0;
-    if (!pixels.empty())
-        belief = view.engine.update(std::move(belief), prediction, pixels, &faults);
-    clock.lap(updateMs);
-
-    counters.faults += faults;
-    counters.pairs = static_cast<long>(problem.rows.size());
+    counters.updateMs = predictMs;
+    counters.pairs = static_cast<long>(search.problem().rows.size());
     counters.rejected = counters.pairs - static_cast<long>(pixels.size());
-    counters.searchMs = searchMs;
-    counters.selectMs = selectMs;
-    counters.updateMs = updateMs;
-    correction.associations = std::move(search.associations);
-    correction.counters = counters;
-    correction.mixture = std::move(predicted);
-    return correction;
+    if (!pixels.empty())
+    {
+        LapClock updateClock;
+        int faults = 0;
+        belief = view.engine.update(std::move(belief), prediction, pixels, &faults);
+        counters.faults += faults;
+        updateClock.lap(counters.updateMs);
+    }
+    return {std::move(predicted), std::move(search.associations), counters};
 }
 }  // namespace monoslam

@@ -145,6 +145,8 @@ struct MONOSLAM_ASSOCIATION_EXPORT BatchOptions
     static BatchOptions from(const mrpt::config::CConfigFileBase& file, const std::string& fileName);
 };
 
+class BatchSearch;
+
 /** Pairs of one frame as the batch strategies see them: candidates[i] belong to rows[i]. */
 struct AssociationProblem
 {
@@ -179,6 +181,9 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
     [[nodiscard]] virtual bool validatesJointly() const { return false; }
     [[nodiscard]] std::vector<int> decide(const AssociationProblem& problem,
                                           AssociationCounters& counters) const;
+
+    /** Both stages of search and decision: index of the accepted candidate of every pair found. */
+    [[nodiscard]] std::vector<int> choose(BatchSearch& search) const;
 
     BatchOptions options_;
     double gate_;
