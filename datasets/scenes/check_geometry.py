@@ -84,9 +84,8 @@ def main():
         textures.draw(pictures)
 
         def frame(i):
-            x = tj.box_x("desk", i)
-            return (rows[i], render.clean_grey(rows[i], x, pictures, work),
-                    render.depth_image(rows[i], x, pictures, work) * render.DEPTH_UNIT_M)
+            return (rows[i], render.clean_grey("desk", i, pictures, work),
+                    render.depth_image("desk", i, pictures, work) * render.DEPTH_UNIT_M)
         for pair in args.pairs:
             a, b = (frame(int(i)) for i in pair.split(":"))
             value, share = difference(a, b)

@@ -24,7 +24,7 @@ background { rgb 0 }
   }
   finish { ambient 1 diffuse 0 }
 }
-#macro Picture(Name) pigment { image_map { pgm Name gamma srgb interpolate 2 } } #end
+#macro Picture(Name) pigment { #if (Depth) rgb 0 #else image_map { pgm Name gamma srgb interpolate 2 } #end } #end
 #macro Plain(Grey) pigment { rgb Grey } #end
 #macro Lit(Pig) texture { pigment { Pig } finish { Light } } #end
 

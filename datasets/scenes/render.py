@@ -18,7 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 WIDTH, HEIGHT = 640, 480
 FX, FY, CX, CY = 481.2, 480.0, 319.5, 239.5
 DEPTH_UNIT_M = 1 / 5000.0  # of a depth PNG, as TUM has it
-SUPERSAMPLING = 3
+RAYS_PER_SIDE = {"desk": 3, "desk_moving": 2}  # of a pixel; their mean is the anti-aliasing
 BLUR_SIGMA_PX, NOISE_SIGMA_GREY = 0.6, 2.0
 JPEG_STEP = 16  # one quantiser step for all frequencies: at equal size 10 % less error than the usual tables
 
@@ -43,17 +43,18 @@ def srgb(linear):
     return 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055)
 
 
-def clean_grey(pose, box_x_m, pictures, work):
+def clean_grey(name, frame, pictures, work):
     """The frame after the lens (blur, mean over the pixel) and before the sensor's noise; float sRGB levels."""
-    s = SUPERSAMPLING
-    fine = povray(pose, box_x_m, False, pictures, os.path.join(work, "grey"), s).astype(np.float32) / 65535
+    s = RAYS_PER_SIDE[name]
+    pose, x = tj.poses(name)[frame], tj.box_x(name, frame)
+    fine = povray(pose, x, False, pictures, os.path.join(work, "grey"), s).astype(np.float32) / 65535
     fine = cv2.GaussianBlur(fine, (0, 0), BLUR_SIGMA_PX * s)
     return srgb(fine.reshape(HEIGHT, s, WIDTH, s).mean(axis=(1, 3)))
 
 
-def depth_image(pose, box_x_m, pictures, work):
+def depth_image(name, frame, pictures, work):
     """z-depth at the pixel centres, in DEPTH_UNIT_M."""
-    return povray(pose, box_x_m, True, pictures, os.path.join(work, "depth"), 1)
+    return povray(tj.poses(name)[frame], tj.box_x(name, frame), True, pictures, os.path.join(work, "depth"), 1)
 
 
 def project(pose, points_w):
@@ -101,18 +102,17 @@ def render(name, args, pictures, work):
     for sub in ("gray", "depth"):
         os.makedirs(os.path.join(folder, sub), exist_ok=True)
     write_tables(name, folder)
-    rows = tj.poses(name)
-    for i, pose in enumerate(rows):
-        x = tj.box_x(name, i)
+    frames = tj.FRAMES[name]
+    for i in range(frames):
         grey, depth = (os.path.join(folder, sub, f"{i:04d}.{ext}") for sub, ext in (("gray", "jpg"), ("depth", "png")))
         if "gray" in args.what and not os.path.exists(grey):
             rng = np.random.default_rng([sum(map(ord, name)), i])
-            noisy = clean_grey(pose, x, pictures, work) + rng.normal(0, NOISE_SIGMA_GREY, (HEIGHT, WIDTH))
+            noisy = clean_grey(name, i, pictures, work) + rng.normal(0, NOISE_SIGMA_GREY, (HEIGHT, WIDTH))
             save(grey, np.clip(np.rint(noisy), 0, 255).astype(np.uint8), qtables=[[args.jpeg_step] * 64],
                  optimize=True, progressive=True)
         if "depth" in args.what and i % args.depth_every == 0 and not os.path.exists(depth):
-            save(depth, depth_image(pose, x, pictures, work), optimize=True)
-        print(f"\r{name}: {i + 1}/{len(rows)}", end="", flush=True)
+            save(depth, depth_image(name, i, pictures, work), optimize=True)
+        print(f"\r{name}: {i + 1}/{frames}", end="", flush=True)
     print()
 
 
