@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 #include "subsetSearches.h"
@@ -32,6 +31,13 @@ double spectralNorm(const Eigen::Matrix2d& C)
     const double determinant = C(0, 0) * C(1, 1) - C(0, 1) * C(1, 0);
     const double root = std::sqrt(std::max(half * half - determinant * determinant, 0.0));
     return std::sqrt(half + root);
+}
+/** Puts a value into a falling list in place of its last one. */
+void insert(std::vector<double>& falling, double value)
+{
+    std::size_t at = falling.size() - 1;
+    for (; at > 0 && falling[at - 1] < value; --at) falling[at] = falling[at - 1];
+    falling[at] = value;
 }
 }  // namespace
 
@@ -68,18 +74,12 @@ void RemovalBound::couplings(std::size_t most)
 {
     for (const Eigen::Index j : open_)
     {
-        buffer_.clear();
+        auto& largest = sums_[static_cast<std::size_t>(j)];
+        largest.assign(most, 0.0);
         for (const Eigen::Index l : open_)
-            if (l != j) buffer_.push_back(N_(l, j));
-        const auto end =
-            buffer_.begin() + static_cast<std::ptrdiff_t>(std::min(most, buffer_.size()));
-        std::partial_sort(buffer_.begin(), end, buffer_.end(), std::greater<>());
-        auto& sums = sums_[static_cast<std::size_t>(j)];
-        sums.resize(most);
-        double total = 0.0;
-        for (std::size_t k = 0; k < most; ++k)
-            sums[k] = total += k < buffer_.size() ? buffer_[k] : 0.0;
-        sigma_[static_cast<std::size_t>(j)] = 1.0 - total;
+            if (l != j && N_(l, j) > largest.back()) insert(largest, N_(l, j));
+        std::partial_sum(largest.begin(), largest.end(), largest.begin());
+        sigma_[static_cast<std::size_t>(j)] = 1.0 - largest.back();
     }
 }
 
@@ -98,11 +98,11 @@ bool RemovalBound::markReachable(double needed, std::size_t x)
         }
         values_.push_back(w_[static_cast<std::size_t>(j)] / sigma);
     }
-    buffer_ = values_;
-    const auto end = buffer_.begin() + static_cast<std::ptrdiff_t>(x);
-    std::partial_sort(buffer_.begin(), end, buffer_.end(), std::greater<>());
-    const double others = std::accumulate(buffer_.begin(), end - 1, 0.0);
-    const double last = *(end - 1);
+    largest_.assign(x, 0.0);
+    for (const double value : values_)
+        if (value > largest_.back()) insert(largest_, value);
+    const double last = largest_.back();
+    const double others = std::accumulate(largest_.begin(), largest_.end() - 1, 0.0);
     for (std::size_t k = 0; k < values_.size(); ++k)
         if (others + std::min(values_[k], last) >= needed) reachable_[k] = 1;
     return others + last >= needed;

@@ -36,7 +36,7 @@ class RemovalBound
 
     Eigen::MatrixXd N_;
     std::vector<Eigen::Matrix2d> G_inverse_;
-    std::vector<double> w_, sigma_, buffer_, values_;
+    std::vector<double> w_, sigma_, values_, largest_;
     std::vector<std::vector<double>> sums_;  ///< of the 1, 2, ... largest N_jl
     std::vector<char> reachable_;
     std::vector<Eigen::Index> open_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_association/largestCompatibleSubset.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,8 +11,8 @@ namespace monoslam
 {
 namespace
 {
-/** Above this share of removals the bound of the removal tree is loose: prefixes first. */
-constexpr double kManyRemovals = 0.15;
+/** With more pairs trees over kept pairs hardly ever end. */
+constexpr Eigen::Index kFewPairs = 30;
 /** A node of the removal tree costs about as much as this many prefix nodes. */
 constexpr long kRemovalNodeCost = 50;
 
@@ -28,9 +27,7 @@ bool searchAutomatically(const SubsetProblem& problem, const DowndatingD2& whole
         const long nodes = std::max(1L, maxNodes / kRemovalNodeCost);
         return searchByRemovals(problem, whole, nodes, incumbent, result);
     };
-    const double share =
-        static_cast<double>(incumbent.removals()) / static_cast<double>(problem.pairs());
-    return share > kManyRemovals ? prefixes() || removals() : removals() || prefixes();
+    return problem.pairs() <= kFewPairs ? prefixes() || removals() : removals() || prefixes();
 }
 
 bool search(const SubsetProblem& problem, const DowndatingD2& whole, SubsetSearch method,
@@ -96,7 +93,7 @@ SubsetResult largestCompatibleSubset(const SubsetProblem& problem, SubsetSearch 
     if (result.valid)
     {
         result.searched = true;
-        const DowndatingD2 whole(problem.S, problem.nu);
+        const DowndatingD2 whole(llt, problem.nu);
         result.proved = search(problem, whole, method, budget, incumbent, result);
     }
     result.removed = incumbent.removed();

@@ -129,10 +129,11 @@ class RemovalTree
             Eigen::Index row = 0;
             for (const Eigen::Index k : node.bound.open())
             {
-                child.Lam.block<2, 2>(2 * row, 2 * column) =
-                    node.Lam.block<2, 2>(2 * k, 2 * l) -
-                    node.Lam.block<2, 2>(2 * k, 2 * j) * K;
-                ++row;
+                const Eigen::Matrix2d Lam_kl = node.Lam.block<2, 2>(2 * k, 2 * l) -
+                                               node.Lam.block<2, 2>(2 * k, 2 * j) * K;
+                child.Lam.block<2, 2>(2 * row, 2 * column) = Lam_kl;
+                child.Lam.block<2, 2>(2 * column, 2 * row) = Lam_kl.transpose();
+                if (row++ == column) break;
             }
             ++column;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <vector>
 
@@ -72,6 +73,7 @@ class MONOSLAM_ASSOCIATION_EXPORT DowndatingD2
 {
    public:
     DowndatingD2(const Eigen::MatrixXd& S, const Eigen::VectorXd& nu);
+    DowndatingD2(const Eigen::LLT<Eigen::MatrixXd>& factorOfS, const Eigen::VectorXd& nu);
 
     /** False if S is not positive definite; nothing else may be called then. */
     [[nodiscard]] bool valid() const { return valid_; }
