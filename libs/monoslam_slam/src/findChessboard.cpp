@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
+#include <algorithm>
+#include <limits>
 #include <opencv2/calib3d.hpp>
 #include <utility>
 
@@ -30,6 +31,19 @@ Quad outerCorners(const std::vector<cv::Point2f>& grid, const Eigen::Vector2i& c
     return quad;
 }
 
+/** OpenCV's board finder is up to half a pixel off on slanted boards: refines within a third of a
+ *  square. */
+Quad refinedCorners(const cv::Mat& image, Quad quad, const std::vector<cv::Point2f>& grid)
+{
+    double spacing_px = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < grid.size(); ++i)
+        spacing_px = std::min(spacing_px, cv::norm(grid[i] - grid[i - 1]));
+    const int window_px = std::clamp(static_cast<int>(spacing_px / 3.0), 3, 8);
+    for (auto& corner_px : quad)
+        corner_px = refineCorner(image, corner_px, window_px).value_or(corner_px);
+    return quad;
+}
+
 /** Of the labellings that the board's outline allows, the one whose x axis points most to the
  *  right in the image: half turns, and for equal counts quarter turns. */
 Quad uprightLabelling(const Quad& quad, bool square)
@@ -53,7 +67,8 @@ TargetSearch findChessboard(const cv::Mat& image, const MetricStartOptions& opti
     const cv::Size size(counts.x(), counts.y());
     const bool found = cv::findChessboardCornersSB(image, size, grid, cv::CALIB_CB_NORMALIZE_IMAGE);
     if (!found) return {std::nullopt, "no chessboard of that size in the image"};
-    const Quad quad = uprightLabelling(outerCorners(grid, counts), counts.x() == counts.y());
+    const Quad quad = refinedCorners(
+        image, uprightLabelling(outerCorners(grid, counts), counts.x() == counts.y()), grid);
     const double x_m = options.chessboard_square_m * (counts.x() - 1);
     const double y_m = options.chessboard_square_m * (counts.y() - 1);
     SeenPoints seen;
