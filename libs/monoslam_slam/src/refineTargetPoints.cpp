@@ -18,18 +18,14 @@ constexpr int kLeastWindow_px = 3;
 constexpr int kLargestWindow_px = 8;
 constexpr double kLeastCornerSlope_grey = 4.0;
 
-/** Windows that hold one corner of the target only, and end before the image does. */
-int windowFor(const std::vector<Eigen::Vector2d>& pixels_px, std::size_t i, const cv::Mat& image)
+/** Half a window that holds one corner of the target only. At the border it may leave the image:
+ *  OpenCV repeats the last pixel there, which has no gradient and so no say. */
+int windowFor(const std::vector<Eigen::Vector2d>& pixels_px, std::size_t i)
 {
     double nearest_px = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < pixels_px.size(); ++j)
         if (j != i) nearest_px = std::min(nearest_px, (pixels_px[j] - pixels_px[i]).norm());
-    const Eigen::Vector2d& p = pixels_px[i];
-    const double border_px =
-        std::min({p.x(), p.y(), image.cols - 1 - p.x(), image.rows - 1 - p.y()});
-    const int wanted =
-        std::clamp(static_cast<int>(0.15 * nearest_px), kLeastWindow_px, kLargestWindow_px);
-    return std::clamp(static_cast<int>(border_px) - 1, 0, wanted);
+    return std::clamp(static_cast<int>(0.15 * nearest_px), kLeastWindow_px, kLargestWindow_px);
 }
 
 /** Root of the smaller eigenvalue of the mean gradient tensor [grey levels / px]. */
@@ -96,7 +92,6 @@ bool refineBySides(const cv::Mat& image, const Camera& camera, SeenPoints& seen,
 std::optional<Eigen::Vector2d> refineCorner(const cv::Mat& image, const Eigen::Vector2d& rough_px,
                                             int window_px)
 {
-    if (window_px < kLeastWindow_px - 1) return std::nullopt;
     const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 60, 1e-3);
     Eigen::Vector2d at_px = rough_px;
     for (const int window : {window_px, std::min(window_px, 5)})
@@ -105,8 +100,9 @@ std::optional<Eigen::Vector2d> refineCorner(const cv::Mat& image, const Eigen::V
             {static_cast<float>(at_px.x()), static_cast<float>(at_px.y())}};
         cv::cornerSubPix(image, corner, {window, window}, {-1, -1}, stop);
         const Eigen::Vector2d next_px(corner[0].x, corner[0].y);
-        // OpenCV hands an unchanged point back when it diverges
-        if (next_px.cast<float>() == at_px.cast<float>() && window > 5) return std::nullopt;
+        // OpenCV hands the very same point back when it diverges
+        const bool unmoved = next_px == at_px.cast<float>().cast<double>();
+        if (unmoved && window == window_px && at_px == rough_px) return std::nullopt;
         at_px = next_px;
     }
     const double moved_px = (at_px - rough_px).cwiseAbs().maxCoeff();
@@ -128,7 +124,7 @@ TargetSearch refineTargetPoints(const cv::Mat& image, const Camera& camera,
             note << "target point " << i + 1 << " lies outside the image";
             return {std::nullopt, note.str()};
         }
-        const int window_px = windowFor(options.target_points_px, i, image);
+        const int window_px = windowFor(options.target_points_px, i);
         const auto corner_px = refineCorner(image, seen.pixels_px[i], window_px);
         if (corner_px) seen.pixels_px[i] = *corner_px;
         seen.sigmas_px.push_back(corner_px ? options.corner_sigma_px
