@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_mrpt/RawlogReader.h"
 
-#include <mrpt/obs/CRawlog.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -61,7 +59,7 @@ RawlogReader::RawlogReader(RawlogOptions rawlog, CameraOptions camera)
     rawlog_.sensor_label = chooseLabel(rawlog_, contents);
     groundTruth_ = std::move(contents.groundTruth);
     checkTimes(contents.imageTimes[rawlog_.sensor_label]);
-    imagesFolder_ = mrpt::obs::CRawlog::detectImagesDirectory(rawlog_.file);
+    imagesFolder_ = imagesFolderOf(rawlog_.file);
     readCamera();
 }
 

@@ -88,6 +88,17 @@ cv::Mat readGrey(const std::string& file)
     return image;
 }
 
+std::string imagesFolderOf(const std::string& rawlogFile)
+{
+    const std::filesystem::path file(rawlogFile);
+    const auto folder = file.parent_path();
+    for (const char* ending : {"_Images", "_images", "_IMAGES"})
+        if (const auto path = folder / (file.stem().string() + ending);
+            std::filesystem::is_directory(path))
+            return path.string();
+    return (folder / "Images").string();
+}
+
 cv::Mat toGrey(const mrpt::img::CImage& image, const std::string& imagesFolder)
 {
     if (image.isExternallyStored())

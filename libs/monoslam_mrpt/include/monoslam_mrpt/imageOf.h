@@ -36,6 +36,10 @@ struct RecordedImage
  *  truncated or no image */
 [[nodiscard]] MONOSLAM_MRPT_EXPORT cv::Mat readGrey(const std::string& file);
 
+/** Where the external images of a rawlog are: NAME_Images beside it, or Images. CRawlog's own search
+ *  loses the slash after an absolute path. */
+[[nodiscard]] MONOSLAM_MRPT_EXPORT std::string imagesFolderOf(const std::string& rawlogFile);
+
 /** A recorded image as 8-bit grey; external ones are looked for in imagesFolder.
  *  \throw std::runtime_error if it cannot be decoded */
 [[nodiscard]] MONOSLAM_MRPT_EXPORT cv::Mat toGrey(const mrpt::img::CImage& image,

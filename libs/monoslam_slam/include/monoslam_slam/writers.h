@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monoslam_slam/FrameReport.h"
+#include "monoslam_slam/export.h"
+
+namespace monoslam
+{
+/** A text file that throws std::runtime_error, naming itself, as soon as it cannot be written. */
+class MONOSLAM_SLAM_EXPORT OutputFile
+{
+   public:
+    explicit OutputFile(const std::string& path);
+
+    /** Writes and flushes, so that an interrupted run leaves only complete lines. */
+    void write(const std::string& lines);
+
+   private:
+    std::string path_;
+    std::ofstream stream_;
+};
+
+/** Creates the folder, or checks that it may be used: empty, or force. With force, removes what an
+ *  earlier run left in it and nothing else.
+ *  \throw std::runtime_error naming the folder */
+MONOSLAM_SLAM_EXPORT void prepareOutputFolder(const std::string& folder, bool force);
+
+/** "t x y z qx qy qz qw" of a pose (r_wc, q_wc), with a line end; t to 100 ns. */
+[[nodiscard]] MONOSLAM_SLAM_EXPORT std::string tumLine(double t_s, const Vector7d& pose);
+
+/** trajectory.tum, covariance.csv and frames.csv, a line a frame as it comes. */
+class MONOSLAM_SLAM_EXPORT FrameWriters
+{
+   public:
+    explicit FrameWriters(const std::string& folder);
+
+    /** \param decode_ms  time of reading and decoding the image, which no stage contains */
+    void write(const FrameReport& report, double decode_ms = 0.0);
+
+   private:
+    OutputFile trajectory_;
+    OutputFile covariance_;
+    OutputFile frames_;
+};
+
+/** The point of a landmark, if there is one: for inverse depth rho and rho - 2 sigma are positive.
+ *  Its covariance by first-order propagation. */
+struct LandmarkPoint
+{
+    Eigen::Vector3d p;
+    Eigen::Matrix3d P;
+};
+[[nodiscard]] MONOSLAM_SLAM_EXPORT std::optional<LandmarkPoint> pointOf(const MapLandmark& landmark);
+
+/** map.csv: every landmark's numbers and the upper triangle of their covariance, row by row. */
+MONOSLAM_SLAM_EXPORT void writeMapCsv(const std::string& folder,
+                                      const std::vector<MapLandmark>& map);
+
+/** map.ply: the landmarks that have a point, with the root of the largest variance. */
+MONOSLAM_SLAM_EXPORT void writeMapPly(const std::string& folder,
+                                      const std::vector<MapLandmark>& map);
+}  // namespace monoslam
