@@ -17,9 +17,10 @@ background { rgb 0 }
 
 // ---- skins: an image of the texture folder, or the depth along the optical axis -------------------
 #declare Light = finish { ambient 0.32 diffuse 0.75 }
+#declare Reach = function { (Zx * (x - Tx) + Zy * (y - Ty) + Zz * (z - Tz)) / Far }
 #declare DepthSkin = texture {
   pigment {
-    function { (Zx * (x - Tx) + Zy * (y - Ty) + Zz * (z - Tz)) / Far }
+    function { select(Reach(x, y, z) - 1, Reach(x, y, z), 0) }  // 0 stands for none
     color_map { [0 rgb 0] [1 rgb 1] }
   }
   finish { ambient 1 diffuse 0 }
