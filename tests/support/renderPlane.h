@@ -7,12 +7,39 @@
 #include <functional>
 #include <opencv2/core.hpp>
 #include <random>
+#include <vector>
 
 #include "monoslam_models/Camera.h"
 #include "monoslam_models/quaternion.h"
 
 namespace monoslam
 {
+/** 400 x 300, about 71 degrees wide, barrel distortion. */
+inline Camera wideCamera()
+{
+    CameraParameters p;
+    p.width_px = 400;
+    p.height_px = 300;
+    p.fx_px = 280.0;
+    p.fy_px = 284.0;
+    p.cx_px = 197.3;
+    p.cy_px = 152.1;
+    p.distortion.model = DistortionModel::Brown;
+    p.distortion.k = {-0.28, 0.08, 1e-3, -5e-4, 0, 0, 0, 0};
+    return Camera(p);
+}
+
+/** Exact pixels of points that the camera sees. */
+inline std::vector<Eigen::Vector2d> seenBy(const Camera& camera,
+                                           const Eigen::Matrix<double, 7, 1>& pose,
+                                           const std::vector<Eigen::Vector3d>& points)
+{
+    std::vector<Eigen::Vector2d> pixels;
+    for (const auto& p : points)
+        pixels.push_back(*camera.project(rotateInverse(pose.tail<4>(), p - pose.head<3>())));
+    return pixels;
+}
+
 /** A plane with a picture on it: p_w = R_wp (x, y, 0) + r_wp. */
 struct PaintedPlane
 {

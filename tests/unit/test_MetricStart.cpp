@@ -17,29 +17,6 @@ namespace monoslam
 {
 namespace
 {
-Camera wideCamera()
-{
-    CameraParameters p;
-    p.width_px = 400;
-    p.height_px = 300;
-    p.fx_px = 280.0;
-    p.fy_px = 284.0;
-    p.cx_px = 197.3;
-    p.cy_px = 152.1;
-    p.distortion.model = DistortionModel::Brown;
-    p.distortion.k = {-0.28, 0.08, 1e-3, -5e-4, 0, 0, 0, 0};
-    return Camera(p);
-}
-
-std::vector<Eigen::Vector2d> seenBy(const Camera& camera, const Vector7d& pose,
-                                    const std::vector<Eigen::Vector3d>& points)
-{
-    std::vector<Eigen::Vector2d> pixels;
-    for (const auto& p : points)
-        pixels.push_back(*camera.project(rotateInverse(pose.tail<4>(), p - pose.head<3>())));
-    return pixels;
-}
-
 std::vector<Eigen::Vector3d> rectangle(double x_m, double y_m)
 {
     return {{-x_m / 2, -y_m / 2, 0},

@@ -12,20 +12,6 @@ namespace monoslam
 {
 namespace
 {
-Camera wideCamera()
-{
-    CameraParameters p;
-    p.width_px = 400;
-    p.height_px = 300;
-    p.fx_px = 280.0;
-    p.fy_px = 284.0;
-    p.cx_px = 197.3;
-    p.cy_px = 152.1;
-    p.distortion.model = DistortionModel::Brown;
-    p.distortion.k = {-0.28, 0.08, 1e-3, -5e-4, 0, 0, 0, 0};
-    return Camera(p);
-}
-
 bool inBox(double x, double y, double halfX, double halfY)
 {
     return std::abs(x) < halfX && std::abs(y) < halfY;
@@ -81,19 +67,15 @@ std::vector<Eigen::Vector2d> roughPixels(const Camera& camera, const Vector7d& p
                                          const std::vector<Eigen::Vector3d>& points, double off_px)
 {
     std::mt19937 rng(8);
-    std::vector<Eigen::Vector2d> pixels;
-    for (const auto& p : points)
-    {
-        const auto uv_px = camera.project(rotateInverse(pose.tail<4>(), p - pose.head<3>()));
-        pixels.push_back(*uv_px + off_px * normalVector<2>(rng, 1.0).normalized());
-    }
+    auto pixels = seenBy(camera, pose, points);
+    for (auto& uv_px : pixels) uv_px += off_px * normalVector<2>(rng, 1.0).normalized();
     return pixels;
 }
 
 /** Largest distance of the refined corners from the true ones. */
 double cornerError(const MetricPose& found, const Camera& camera, const Vector7d& truth)
 {
-    const auto exact = roughPixels(camera, truth, found.points_m, 0.0);
+    const auto exact = seenBy(camera, truth, found.points_m);
     double worst_px = 0.0;
     for (std::size_t i = 0; i < exact.size(); ++i)
         worst_px = std::max(worst_px, (found.pixels_px[i] - exact[i]).norm());
