@@ -112,8 +112,7 @@ inline SearchResult LinearWorld::search(const SearchRegion& region) const
     {
         const Eigen::Vector2d nu = candidate.z - region.centre;
         const bool outside = nu.dot(region.S.ldlt().solve(nu)) > region.gate;
-        if (outside || static_cast<int>(result.candidates.size()) >= region.maxCandidates)
-            continue;
+        if (outside || static_cast<int>(result.candidates.size()) >= region.maxCandidates) continue;
         result.candidates.push_back(candidate);
     }
     return result;

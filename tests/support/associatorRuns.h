@@ -11,7 +11,8 @@
 
 namespace monoslam::test
 {
-inline Correction run(const std::string& name, const LinearWorld& world, const std::string& ini = {})
+inline Correction run(const std::string& name, const LinearWorld& world,
+                      const std::string& ini = {})
 {
     const mrpt::config::CConfigFileMemory file("[association]\n" + ini);
     const auto associator = makeAssociator(name, file, "test.ini");

@@ -89,9 +89,10 @@ inline SubsetResult bruteForce(const SubsetProblem& problem)
 inline SubsetProblem goldenProblem(const Chi2Table& table)
 {
     SubsetProblem problem;
-    const Eigen::MatrixXd A = Eigen::MatrixXd::NullaryExpr(
-        10, 3, [](Eigen::Index i, Eigen::Index j)
-        { return static_cast<double>((3 * i + 5 * j) % 7 - 3); });
+    const Eigen::MatrixXd A =
+        Eigen::MatrixXd::NullaryExpr(10, 3,
+                                     [](Eigen::Index i, Eigen::Index j)
+                                     { return static_cast<double>((3 * i + 5 * j) % 7 - 3); });
     problem.S = A * A.transpose() + 4.0 * Eigen::MatrixXd::Identity(10, 10);
     problem.nu.resize(10);
     problem.nu << 1, -0.5, 2, 1, -1.5, 0.5, 9, -7, 0.5, 1;
@@ -104,12 +105,12 @@ inline SubsetProblem secondGoldenProblem(const Chi2Table& table)
 {
     SubsetProblem problem;
     const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(
-        16, 4, [](Eigen::Index i, Eigen::Index j)
+        16, 4,
+        [](Eigen::Index i, Eigen::Index j)
         { return static_cast<double>((5 * i + 3 * j + i * j) % 11 - 5); });
     problem.S = B * B.transpose() + Eigen::MatrixXd::Identity(16, 16);
     problem.nu = B * Eigen::Vector4d(0.8, -0.5, 0.3, 0.6);
-    for (Eigen::Index i = 0; i < 16; ++i)
-        problem.nu(i) += 0.5 * static_cast<double>(7 * i % 5 - 2);
+    for (Eigen::Index i = 0; i < 16; ++i) problem.nu(i) += 0.5 * static_cast<double>(7 * i % 5 - 2);
     problem.nu(4) += 6;
     problem.nu(5) -= 4;
     problem.nu(12) -= 5;

@@ -61,7 +61,8 @@ TEST_P(AssociatorContract, SurvivesAFrameOfWrongCandidatesAndOneSharedPixel)
     LinearWorld wrong = LinearWorld::withLandmarks(15, 5), shared = wrong;
     std::mt19937 rng(5);
     std::uniform_real_distribution<double> error(-30.0, 30.0);
-    for (auto& entry : wrong.seen) entry.second.front().z += Eigen::Vector2d(error(rng), error(rng));
+    for (auto& entry : wrong.seen)
+        entry.second.front().z += Eigen::Vector2d(error(rng), error(rng));
     expectSound(run(GetParam(), wrong), wrong);
     for (auto& slot : shared.belief.landmarks)
         shared.belief.x.segment<2>(slot.offset) = Eigen::Vector2d(300.0, 200.0);

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "monoslam_association/BatchAssociator.h"
 #include "monoslam_support/ConfigSection.h"
 #include "strategies.h"
 
@@ -67,6 +68,7 @@ std::unique_ptr<Associator> makeAssociator(const std::string& name,
     if (entry != registry().end()) return entry->second(file, fileName);
     std::string known;
     for (const std::string& other : associatorNames()) known += (known.empty() ? "" : ", ") + other;
-    throw std::invalid_argument("[association] strategy = " + name + ": unknown; known are " + known);
+    throw std::invalid_argument("[association] strategy = " + name + ": unknown; known are " +
+                                known);
 }
 }  // namespace monoslam

@@ -4,7 +4,7 @@
 
 #include "BatchSearch.h"
 #include "ConditionalPrediction.h"
-#include "monoslam_association/Associator.h"
+#include "monoslam_association/BatchAssociator.h"
 #include "monoslam_association/jointCompatibility.h"
 
 namespace monoslam

@@ -99,9 +99,9 @@ bool BatchSearch::search(Eigen::Index row, const SearchRegion& region)
     searched_.push_back(at(row).h);
     record.fate = Fate::NotFound;
     auto& found = result.candidates;
-    found.erase(std::remove_if(found.begin(), found.end(),
-                               [](const Candidate& c) { return !usable(c); }),
-                found.end());
+    found.erase(
+        std::remove_if(found.begin(), found.end(), [](const Candidate& c) { return !usable(c); }),
+        found.end());
     if (found.empty()) return true;
     std::sort(found.begin(), found.end(), better);
     if (found.size() > static_cast<std::size_t>(settings_.maxCandidates))
@@ -143,8 +143,7 @@ std::vector<double> BatchSearch::spreads() const
 void BatchSearch::pickSpread(const std::function<SearchRegion(Eigen::Index)>& regionOf)
 {
     std::vector<double> distances = spreads();
-    while (!untried_.empty() &&
-           static_cast<int>(searched_.size()) < settings_.options.max_measured)
+    while (!untried_.empty() && static_cast<int>(searched_.size()) < settings_.options.max_measured)
     {
         const auto farthest = std::max_element(distances.begin(), distances.end());
         const auto index = farthest - distances.begin();
@@ -165,9 +164,8 @@ void BatchSearch::searchRest(const std::vector<int>& accepted)
         const ConditionalPrediction given(prediction_, pixels);
         if (given.valid())
         {
-            const Eigen::VectorXd x = view_.project
-                                          ? ekfUpdateMean(prior_, prediction_, pixels)
-                                          : Eigen::VectorXd();
+            const Eigen::VectorXd x =
+                view_.project ? ekfUpdateMean(prior_, prediction_, pixels) : Eigen::VectorXd();
             return pickSpread([&](Eigen::Index row) { return regionGiven(given, x, row); });
         }
     }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "monoslam_association/Associator.h"
+#include "monoslam_association/BatchAssociator.h"
 
 namespace monoslam
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monoslam_association/Associator.h"
+#include "monoslam_association/BatchAssociator.h"
 #include "monoslam_association/jointCompatibility.h"
 #include "monoslam_association/largestCompatibleSubset.h"
 #include "monoslam_support/ConfigSection.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "monoslam_association/Associator.h"
+#include "monoslam_association/BatchAssociator.h"
 #include "monoslam_association/jointBranchAndBound.h"
 #include "monoslam_support/ConfigSection.h"
 #include "strategies.h"
@@ -47,20 +47,17 @@ class JcbbAssociator : public BatchAssociator
         std::vector<double> nis;
         for (const Candidate& candidate : problem.candidates[i])
         {
-            const Eigen::Matrix2d S =
-                prediction.HPHt.block<2, 2>(2 * row, 2 * row) + candidate.R;
+            const Eigen::Matrix2d S = prediction.HPHt.block<2, 2>(2 * row, 2 * row) + candidate.R;
             const Eigen::Vector2d nu =
                 candidate.z - prediction.rows[static_cast<std::size_t>(row)].h;
             nis.push_back(nu.dot(S.inverse() * nu));
         }
         std::vector<int> order(nis.size());
         std::iota(order.begin(), order.end(), 0);
-        std::stable_sort(order.begin(), order.end(),
-                         [&nis](int a, int b)
-                         {
-                             return nis[static_cast<std::size_t>(a)] <
-                                    nis[static_cast<std::size_t>(b)];
-                         });
+        std::stable_sort(
+            order.begin(), order.end(),
+            [&nis](int a, int b)
+            { return nis[static_cast<std::size_t>(a)] < nis[static_cast<std::size_t>(b)]; });
         return order;
     }
 

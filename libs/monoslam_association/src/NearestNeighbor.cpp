@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/LU>
 
-#include "monoslam_association/Associator.h"
+#include "monoslam_association/BatchAssociator.h"
 #include "strategies.h"
 
 namespace monoslam

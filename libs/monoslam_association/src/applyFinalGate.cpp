@@ -15,8 +15,7 @@ void removeWorst(const AssociationProblem& problem, double limit, std::vector<in
     std::vector<std::size_t> entries;
     for (std::size_t i = 0; i < chosen.size(); ++i)
         if (chosen[i] >= 0) entries.push_back(i);
-    const JointInnovation joint =
-        stackInnovation(*problem.prediction, pixelsOf(problem, chosen));
+    const JointInnovation joint = stackInnovation(*problem.prediction, pixelsOf(problem, chosen));
     DowndatingD2 accepted(joint.S, joint.nu);
     if (!accepted.valid()) return;
     for (Eigen::Index j = accepted.worst(); j >= 0; j = accepted.worst())

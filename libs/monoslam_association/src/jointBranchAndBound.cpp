@@ -78,8 +78,7 @@ class Jcbb
         if (problem_.pixels.empty()) return true;
         const Eigen::Vector2d& z = problem_.pixels[i][c];
         for (std::size_t j = 0; j < i; ++j)
-            if (chosen_[j] >= 0 &&
-                problem_.pixels[j][static_cast<std::size_t>(chosen_[j])] == z)
+            if (chosen_[j] >= 0 && problem_.pixels[j][static_cast<std::size_t>(chosen_[j])] == z)
                 return false;
         return true;
     }

@@ -12,7 +12,7 @@ namespace monoslam
 {
 namespace
 {
-/** L^-T L^-1 by blocks of columns, so that the zeros of L^-1 cost nothing: a third of two solves. */
+/** L^-T L^-1 by blocks, so that the zeros of L^-1 cost nothing: a third of two solves. */
 Eigen::MatrixXd inverseFromFactor(const Eigen::MatrixXd& L)
 {
     constexpr Eigen::Index kBlock = 24;

@@ -47,7 +47,8 @@ bool search(const SubsetProblem& problem, const DowndatingD2& whole, SubsetSearc
             return searchByRemovals(problem, whole, budget.nodes, incumbent, result);
         case SubsetSearch::Automatic:
             return searchAutomatically(problem, whole, budget.nodes, incumbent, result);
-        case SubsetSearch::Greedy: break;
+        case SubsetSearch::Greedy:
+            break;
     }
     searchGreedily(problem, whole, incumbent, result);
     return false;

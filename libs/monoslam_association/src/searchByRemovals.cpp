@@ -101,8 +101,7 @@ class RemovalTree
         for (const Eigen::Index j : bound.open())
         {
             const double sigma = bound.sigma(j);
-            const double key =
-                bound.gain(j) + (sigma < kLooseSigma ? kHeavy * (2.0 - sigma) : 0.0);
+            const double key = bound.gain(j) + (sigma < kLooseSigma ? kHeavy * (2.0 - sigma) : 0.0);
             if (key <= largest) continue;
             largest = key;
             chosen = j;
@@ -124,13 +123,12 @@ class RemovalTree
             child.pairs.push_back(node.pairs[static_cast<std::size_t>(l)]);
             const Eigen::Matrix2d Lam_jl = node.Lam.block<2, 2>(2 * j, 2 * l);
             const Eigen::Matrix2d K = Sig_jj * Lam_jl;
-            child.gt.segment<2>(2 * column) =
-                node.gt.segment<2>(2 * l) - Lam_jl.transpose() * step;
+            child.gt.segment<2>(2 * column) = node.gt.segment<2>(2 * l) - Lam_jl.transpose() * step;
             Eigen::Index row = 0;
             for (const Eigen::Index k : node.bound.open())
             {
-                const Eigen::Matrix2d Lam_kl = node.Lam.block<2, 2>(2 * k, 2 * l) -
-                                               node.Lam.block<2, 2>(2 * k, 2 * j) * K;
+                const Eigen::Matrix2d Lam_kl =
+                    node.Lam.block<2, 2>(2 * k, 2 * l) - node.Lam.block<2, 2>(2 * k, 2 * j) * K;
                 child.Lam.block<2, 2>(2 * row, 2 * column) = Lam_kl;
                 child.Lam.block<2, 2>(2 * column, 2 * row) = Lam_kl.transpose();
                 if (row++ == column) break;
