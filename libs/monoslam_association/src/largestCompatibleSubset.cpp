@@ -13,6 +13,8 @@ namespace
 {
 /** With more pairs trees over kept pairs hardly ever end. */
 constexpr Eigen::Index kFewPairs = 30;
+/** Up to this share of removals the removal tree has next to no nodes. */
+constexpr double kFewRemovals = 0.15;
 /** A node of the removal tree costs about as much as this many prefix nodes. */
 constexpr long kRemovalNodeCost = 50;
 
@@ -27,7 +29,10 @@ bool searchAutomatically(const SubsetProblem& problem, const DowndatingD2& whole
         const long nodes = std::max(1L, maxNodes / kRemovalNodeCost);
         return searchByRemovals(problem, whole, nodes, incumbent, result);
     };
-    return problem.pairs() <= kFewPairs ? prefixes() || removals() : removals() || prefixes();
+    const auto m = static_cast<double>(problem.pairs());
+    const bool prefixesFirst = problem.pairs() <= kFewPairs &&
+                               static_cast<double>(incumbent.removals()) > kFewRemovals * m;
+    return prefixesFirst ? prefixes() || removals() : removals() || prefixes();
 }
 
 bool search(const SubsetProblem& problem, const DowndatingD2& whole, SubsetSearch method,
