@@ -33,7 +33,10 @@ void checkNumbers(const CameraParameters& p)
         require(std::isfinite(k), "distortion coefficients must be finite");
 }
 
-FocalLengths focalLengths(const CameraParameters& p) { return {p.fx_px, p.fy_px}; }
+FocalLengths focalLengths(const CameraParameters& p)
+{
+    return {p.fx_px, p.fy_px};
+}
 
 /** The largest valid angle must lie at least a quarter diagonal from the principal point. */
 void checkValidPart(const CameraParameters& p, double maxAngle_rad)

@@ -133,7 +133,10 @@ std::vector<double> ConfigSection::get(const std::string& key, std::vector<doubl
     return *numbers;
 }
 
-bool ConfigSection::has(const std::string& key) const { return file_.keyExists(section_, key); }
+bool ConfigSection::has(const std::string& key) const
+{
+    return file_.keyExists(section_, key);
+}
 
 void ConfigSection::rejectUnknownKeys() const
 {
