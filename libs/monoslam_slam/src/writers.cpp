@@ -84,7 +84,7 @@ bool isOurs(const std::string& fileName)
 {
     static const std::regex ours(
         "trajectory\\.tum|robot_path\\.tum|groundtruth\\.tum|covariance\\.csv|frames\\.csv|"
-        "map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|top_view\\.png|config\\.ini|"
+        "map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|top_view\\.png|"
         "frame_[0-9]+\\.(png|jpg)");
     return std::regex_match(fileName, ours);
 }
@@ -113,18 +113,24 @@ void OutputFile::write(const std::string& lines)
     throw std::runtime_error(path_ + ": cannot be written: " + reason);
 }
 
-void prepareOutputFolder(const std::string& folder, bool force)
+void checkOutputFolder(const std::string& folder, bool force)
 {
     std::error_code failed;
-    if (fs::exists(folder) && !fs::is_directory(folder))
-        throw std::runtime_error(folder + ": is not a folder");
-    fs::create_directories(folder, failed);
-    if (failed) throw std::runtime_error(folder + ": cannot be created: " + failed.message());
+    if (!fs::exists(folder)) return;
+    if (!fs::is_directory(folder)) throw std::runtime_error(folder + ": is not a folder");
     const bool empty = fs::is_empty(folder, failed);
     if (failed) throw std::runtime_error(folder + ": cannot be read: " + failed.message());
     if (!empty && !force)
         throw std::runtime_error(folder + ": the output folder is not empty; use --force to "
                                           "replace the files of an earlier run");
+}
+
+void prepareOutputFolder(const std::string& folder, bool force)
+{
+    checkOutputFolder(folder, force);
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) throw std::runtime_error(folder + ": cannot be created: " + failed.message());
     removeOurs(folder);
     removeOurs(fs::path(folder) / "pictures");
 }

@@ -26,9 +26,11 @@ class MONOSLAM_SLAM_EXPORT OutputFile
     std::ofstream stream_;
 };
 
-/** Creates the folder, or checks that it may be used: empty, or force. With force, removes what an
- *  earlier run left in it and nothing else.
+/** The folder may be used if it is absent, empty, or force is set.
  *  \throw std::runtime_error naming the folder */
+MONOSLAM_SLAM_EXPORT void checkOutputFolder(const std::string& folder, bool force);
+
+/** Checks and creates the folder; removes what an earlier run left in it and nothing else. */
 MONOSLAM_SLAM_EXPORT void prepareOutputFolder(const std::string& folder, bool force);
 
 /** "t x y z qx qy qz qw" of a pose (r_wc, q_wc), with a line end; t to 100 ns. */

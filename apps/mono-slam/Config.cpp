@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Config.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "monoslam_support/ConfigSection.h"
+
+namespace monoslam
+{
+namespace fs = std::filesystem;
+using mrpt::config::CConfigFileMemory;
+
+namespace
+{
+std::string readText(const std::string& fileName)
+{
+    std::ifstream stream(fileName);
+    if (!fs::is_regular_file(fileName) || !stream)
+        throw std::runtime_error(fileName + ": no such configuration file");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/** "a.b.key=value" is key "key" of section "a.b". */
+void apply(const std::string& setting, CConfigFileMemory& file)
+{
+    const auto equals = setting.find('=');
+    const std::string name = setting.substr(0, equals);
+    const auto dot = name.rfind('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot == 0 ||
+        dot + 1 == name.size())
+        throw std::invalid_argument("--set " + setting + ": expected section.key=value");
+    file.write(name.substr(0, dot), name.substr(dot + 1), setting.substr(equals + 1));
+}
+
+void rejectUnknownSections(const CConfigFileMemory& file, const std::string& fileName)
+{
+    std::set<std::string> known{"rawlog",       "camera", "output",       "motion", "search",
+                                "detection",    "map",    "metric_start", "filter", "association",
+                                "initialization"};
+    for (const auto& name : associatorNames()) known.insert("association." + name);
+    std::vector<std::string> shipped, present;
+    CConfigFileMemory(std::string(defaultConfig())).getAllSections(shipped);
+    known.insert(shipped.begin(), shipped.end());
+    file.getAllSections(present);
+    for (const auto& section : present)
+    {
+        if (known.count(section)) continue;
+        std::string list;
+        for (const auto& name : known) list += " " + name;
+        throw std::invalid_argument(fileName + ": unknown section [" + section + "]; known:" + list);
+    }
+}
+
+/** The chosen strategy; the sections of the others are checked by making them as well. */
+std::unique_ptr<Associator> readAssociator(const CConfigFileMemory& file,
+                                           const std::string& fileName)
+{
+    for (const auto& name : associatorNames())
+        if (file.sectionExists("association." + name))
+            static_cast<void>(makeAssociator(name, file, fileName));
+    ConfigSection section(file, "association", fileName);
+    return makeAssociator(section.get("strategy", "hohct"), file, fileName);
+}
+
+void completeRawlogPath(Config& config, const Arguments& arguments)
+{
+    std::string& file = config.rawlog.file;
+    if (!arguments.rawlog.empty())
+        file = arguments.rawlog;
+    else if (file.empty())
+        throw std::invalid_argument(config.fileName + ": [rawlog] file: no rawlog is given");
+    else
+        file = (fs::path(config.fileName).parent_path() / file).string();
+}
+
+void copyValues(const CConfigFileMemory& file, Config& config)
+{
+    std::vector<std::string> sections, keys;
+    file.getAllSections(sections);
+    for (const auto& section : sections)
+    {
+        file.getAllKeys(section, keys);
+        for (const auto& key : keys)
+            config.values[section][key] = file.read_string(section, key, "");
+    }
+}
+}  // namespace
+
+OutputOptions OutputOptions::from(ConfigSection section)
+{
+    OutputOptions o;
+    o.directory = section.get("directory", o.directory);
+    o.pictures = section.get("pictures", o.pictures);
+    o.picture_every_nth = section.get("picture_every_nth", o.picture_every_nth, {1, 1e6});
+    section.rejectUnknownKeys();
+    return o;
+}
+
+Config loadConfig(const Arguments& arguments)
+{
+    Config config;
+    config.fileName = arguments.configFile;
+    CConfigFileMemory file;
+    file.setContent(readText(config.fileName));
+    for (const auto& setting : arguments.settings) apply(setting, file);
+    rejectUnknownSections(file, config.fileName);
+    const auto section = [&](const char* name)
+    { return ConfigSection(file, name, config.fileName); };
+    config.rawlog = RawlogOptions::from(section("rawlog"));
+    config.camera = CameraOptions::from(section("camera"));
+    config.output = OutputOptions::from(section("output"));
+    config.slam = MonoSlamOptions::from(file, config.fileName);
+    config.associator = readAssociator(file, config.fileName);
+    completeRawlogPath(config, arguments);
+    if (!arguments.output.empty()) config.output.directory = arguments.output;
+    config.output.pictures = config.output.pictures || arguments.pictures;
+    copyValues(file, config);
+    return config;
+}
+}  // namespace monoslam

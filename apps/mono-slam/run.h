@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Arguments.h"
+
+namespace monoslam
+{
+/** The whole program. \return exit status: 0, 1 without any pose, 130 after Ctrl-C
+ *  \throw std::exception with one line for people */
+int run(const Arguments& arguments);
+}  // namespace monoslam

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monoslam_mrpt/scene3d.h"
+
+#include <mrpt/math/CMatrixFixed.h>
+#include <mrpt/opengl/CEllipsoid3D.h>
+#include <mrpt/opengl/CGridPlaneXY.h>
+#include <mrpt/opengl/CPointCloud.h>
+#include <mrpt/opengl/CSetOfLines.h>
+#include <mrpt/opengl/stock_objects.h>
+#include <mrpt/poses/CPose3D.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "monoslam_mrpt/registerAllClasses.h"
+#include "monoslam_slam/writers.h"
+
+namespace monoslam
+{
+using namespace mrpt::opengl;
+using mrpt::poses::CPose3D;
+
+namespace
+{
+CPose3D poseOf(const Vector7d& pose)
+{
+    mrpt::math::CQuaternionDouble q(pose[3], pose[4], pose[5], pose[6]);
+    q.normalize();
+    return CPose3D(q, pose[0], pose[1], pose[2]);
+}
+
+/** What lengths of symbols relate to: the extent of the path, or of the nearest landmarks. */
+double extentOf(const std::vector<Vector7d>& path)
+{
+    double extent = 0.1;
+    for (const auto& pose : path)
+        extent = std::max(extent, (pose.head<3>() - path.front().head<3>()).norm());
+    return extent;
+}
+
+CSetOfLines::Ptr linesOf(const std::vector<Vector7d>& path)
+{
+    auto lines = CSetOfLines::Create();
+    lines->setColor_u8(0x20, 0x50, 0xd0);
+    lines->setLineWidth(2.0f);
+    for (std::size_t i = 1; i < path.size(); ++i)
+        lines->appendLine(path[i - 1][0], path[i - 1][1], path[i - 1][2], path[i][0], path[i][1],
+                          path[i][2]);
+    return lines;
+}
+
+CEllipsoid3D::Ptr ellipsoidOf(const LandmarkPoint& point, bool known)
+{
+    auto ellipsoid = CEllipsoid3D::Create();
+    mrpt::math::CMatrixDouble33 P;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) P(i, j) = point.P(i, j);
+    ellipsoid->setCovMatrix(P);
+    ellipsoid->setQuantiles(3.0f);
+    ellipsoid->enableDrawSolid3D(false);
+    ellipsoid->setColor_u8(known ? 0xd0 : 0x10, known ? 0x20 : 0x90, 0x20);
+    ellipsoid->setLocation(point.p.x(), point.p.y(), point.p.z());
+    return ellipsoid;
+}
+}  // namespace
+
+COpenGLScene::Ptr scene3d(const std::vector<Vector7d>& path, const std::vector<MapLandmark>& map)
+{
+    auto scene = COpenGLScene::Create();
+    const double extent = path.empty() ? 1.0 : extentOf(path);
+    const auto size = static_cast<float>(2.0 * extent);
+    scene->insert(CGridPlaneXY::Create(-size, size, -size, size, 0.0f, size / 10.0f));
+    scene->insert(stock_objects::CornerXYZSimple(static_cast<float>(0.2 * extent), 2.0f));
+    auto points = CPointCloud::Create();
+    points->setPointSize(3.0f);
+    points->setColor_u8(0x00, 0x60, 0x10);
+    for (const auto& landmark : map)
+    {
+        const auto point = pointOf(landmark);
+        if (!point) continue;
+        points->insertPoint(static_cast<float>(point->p.x()), static_cast<float>(point->p.y()),
+                            static_cast<float>(point->p.z()));
+        scene->insert(ellipsoidOf(*point, landmark.known));
+    }
+    scene->insert(points);
+    if (path.empty()) return scene;
+    scene->insert(linesOf(path));
+    auto camera = stock_objects::CornerXYZSimple(static_cast<float>(0.3 * extent), 4.0f);
+    camera->setPose(poseOf(path.back()));
+    scene->insert(camera);
+    return scene;
+}
+
+void writeScene3d(const std::string& file, const std::vector<Vector7d>& path,
+                  const std::vector<MapLandmark>& map)
+{
+    registerAllClasses();
+    OutputFile probe(file);  // says why, which MRPT does not
+    if (!scene3d(path, map)->saveToFile(file)) throw std::runtime_error(file + ": cannot be written");
+    COpenGLScene readBack;
+    if (!readBack.loadFromFile(file))
+        throw std::runtime_error(file + ": cannot be written completely (disk full?)");
+}
+}  // namespace monoslam
