@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <ctime>
+#include <map>
 #include <stdexcept>
 
 #include "BatchSearch.h"
@@ -11,6 +13,9 @@ namespace monoslam
 {
 namespace
 {
+/** Bend of the projection that one more iteration would remove [px]. */
+constexpr double kLinearEnough_px = 0.05;
+
 double threadTime_ms()
 {
     std::timespec now{};
@@ -45,6 +50,60 @@ bool updatable(const Prediction& prediction, std::vector<PixelMeasurement> pixel
         return true;
     }
     return false;
+}
+
+/** Prediction of the prior linearised at x: its h is h(x) + H (x_prior - x), so that z - h is the
+ *  innovation of an iterated EKF. */
+Prediction predictAt(const FrameView& view, const Belief& prior, const Eigen::VectorXd& x)
+{
+    Belief moved = prior;
+    moved.x = x;
+    Prediction prediction = view.predict(moved);
+    const Eigen::VectorXd back = prior.x - x;
+    for (PredictedLandmark& row : prediction.rows)
+        row.h += row.H_v * back.head<camera_state::kSize>() +
+                 row.H_y.leftCols(row.size) * back.segment(row.offset, row.size);
+    return prediction;
+}
+
+/** The same pixels as measurements of another prediction's rows, landmark by landmark. */
+std::vector<PixelMeasurement> onRowsOf(const Prediction& to, const Prediction& from,
+                                       const std::vector<PixelMeasurement>& pixels)
+{
+    std::map<LandmarkId, Eigen::Index> rowOf;
+    for (std::size_t row = 0; row < to.rows.size(); ++row)
+        rowOf[to.rows[row].id] = static_cast<Eigen::Index>(row);
+    std::vector<PixelMeasurement> moved;
+    for (PixelMeasurement pixel : pixels)
+    {
+        const auto row = rowOf.find(from.rows[static_cast<std::size_t>(pixel.row)].id);
+        if (row == rowOf.end()) continue;
+        pixel.row = row->second;
+        moved.push_back(pixel);
+    }
+    return moved;
+}
+
+/** How far, at the posterior, the pixel that the first linearisation expects is from the true
+ *  projection [px], worst landmark. */
+double largestBend_px(const Prediction& first, const std::vector<PixelMeasurement>& pixels,
+                      const Prediction& again, const std::vector<PixelMeasurement>& moved,
+                      const Belief& prior, const Belief& posterior)
+{
+    const Eigen::VectorXd d = posterior.x - prior.x;
+    const auto expected = [&d](const PredictedLandmark& row)
+    {
+        return Eigen::Vector2d(row.h + row.H_v * d.head<camera_state::kSize>() +
+                               row.H_y.leftCols(row.size) * d.segment(row.offset, row.size));
+    };
+    double largest = 0.0;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+    {
+        const auto& before = first.rows[static_cast<std::size_t>(pixels[i].row)];
+        const auto& after = again.rows[static_cast<std::size_t>(moved[i].row)];
+        largest = std::max(largest, (expected(before) - expected(after)).norm());
+    }
+    return largest;
 }
 
 /** Fate, pixel, score and NIS of every pair that went into validation. */
@@ -84,7 +143,8 @@ std::vector<int> BatchAssociator::decide(const AssociationProblem& problem,
     return chosen;
 }
 
-std::vector<int> BatchAssociator::choose(BatchSearch& search) const
+std::vector<int> BatchAssociator::choose(BatchSearch& search, const Belief& prior,
+                                        const FrameView& view) const
 {
     LapClock clock;
     AssociationCounters& counters = search.counters;
@@ -92,12 +152,21 @@ std::vector<int> BatchAssociator::choose(BatchSearch& search) const
     clock.lap(counters.searchMs);
     const std::vector<int> first = decide(search.problem(), counters);
     clock.lap(counters.selectMs);
-    search.searchRest(first);
+    const auto known = pixelsOf(search.problem(), first);
+    std::vector<int> accepted = first;
+    if (options_.max_iterations > 1 && known.size() >= kPoseFixingPairs)
+    {
+        search.moveTo(predictAt(view, prior, ekfUpdateMean(prior, search.prediction(), known)));
+        clock.lap(counters.updateMs);
+        accepted = decide(search.problem(), counters);
+        clock.lap(counters.selectMs);
+    }
+    search.searchRest(accepted);
     clock.lap(counters.searchMs);
 
     const AssociationProblem& problem = search.problem();
     std::vector<int> chosen =
-        problem.rows.size() == first.size() ? first : decide(problem, counters);
+        problem.rows.size() == accepted.size() ? accepted : decide(problem, counters);
     const auto pixels = pixelsOf(problem, chosen);
     if (!pixels.empty() && !updatable(*problem.prediction, pixels, counters.jointD2))
     {
@@ -109,6 +178,25 @@ std::vector<int> BatchAssociator::choose(BatchSearch& search) const
     return chosen;
 }
 
+Belief BatchAssociator::update(const Belief& prior, const Prediction& prediction,
+                               const std::vector<PixelMeasurement>& pixels, const FrameView& view,
+                               AssociationCounters& counters) const
+{
+    int faults = 0;
+    Belief posterior = view.engine.update(prior, prediction, pixels, &faults);
+    for (int iteration = 2; iteration < options_.max_iterations; ++iteration)
+    {
+        const Prediction again = predictAt(view, prior, posterior.x);
+        const auto moved = onRowsOf(again, prediction, pixels);
+        if (moved.size() < pixels.size()) break;  // a landmark left the image: keep what we have
+        if (largestBend_px(prediction, pixels, again, moved, prior, posterior) < kLinearEnough_px)
+            break;
+        posterior = view.engine.update(prior, again, moved, &faults);
+    }
+    counters.faults += faults;
+    return posterior;
+}
+
 Correction BatchAssociator::correct(Mixture predicted, const FrameView& view,
                                     std::mt19937& /*rng*/) const
 {
@@ -117,21 +205,19 @@ Correction BatchAssociator::correct(Mixture predicted, const FrameView& view,
     Belief& belief = predicted.front().belief;
     LapClock clock;
     double predictMs = 0.0;
-    const Prediction prediction = view.predict(belief);
+    BatchSearch search(view.predict(belief), view, {gate_, maxCandidates(), options_});
     clock.lap(predictMs);
 
-    BatchSearch search(belief, prediction, view, {gate_, maxCandidates(), options_});
-    const std::vector<PixelMeasurement> pixels = pixelsOf(search.problem(), choose(search));
+    const std::vector<int> chosen = choose(search, belief, view);
+    const std::vector<PixelMeasurement> pixels = pixelsOf(search.problem(), chosen);
     AssociationCounters& counters = search.counters;
-    counters.updateMs = predictMs;
+    counters.updateMs += predictMs;
     counters.pairs = static_cast<long>(search.problem().rows.size());
     counters.rejected = counters.pairs - static_cast<long>(pixels.size());
     if (!pixels.empty())
     {
         LapClock updateClock;
-        int faults = 0;
-        belief = view.engine.update(std::move(belief), prediction, pixels, &faults);
-        counters.faults += faults;
+        belief = update(belief, search.prediction(), pixels, view, counters);
         updateClock.lap(counters.updateMs);
     }
     return {std::move(predicted), std::move(search.associations), counters};

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "ConditionalPrediction.h"
 
@@ -15,8 +17,6 @@ namespace
 {
 /** Variance that covers what a linear prediction misses [px^2]. */
 constexpr double kLinearizationVariance_px2 = 0.5;
-/** A shift of c pixels is taken to be wrong by c^2 / kCurvature_px (second order of a rotation). */
-constexpr double kCurvature_px = 1000.0;
 
 bool positiveDefinite(const Eigen::Matrix2d& A)
 {
@@ -36,12 +36,16 @@ bool better(const Candidate& a, const Candidate& b)
 }
 }  // namespace
 
-BatchSearch::BatchSearch(const Belief& prior, const Prediction& prediction, const FrameView& view,
-                         const Settings& settings)
-    : prior_(prior), prediction_(prediction), view_(view), settings_(settings)
+BatchSearch::BatchSearch(Prediction prediction, const FrameView& view, const Settings& settings)
+    : prediction_(std::move(prediction)), view_(view), settings_(settings)
 {
-    problem_.prediction = &prediction;
-    for (Eigen::Index row = 0; row < prediction.count(); ++row)
+    problem_.prediction = &prediction_;
+    listRows();
+}
+
+void BatchSearch::listRows()
+{
+    for (Eigen::Index row = 0; row < prediction_.count(); ++row)
     {
         const PredictedLandmark& landmark = at(row);
         Association record;
@@ -74,16 +78,46 @@ SearchRegion BatchSearch::ownRegion(Eigen::Index row) const
 }
 
 SearchRegion BatchSearch::regionGiven(const ConditionalPrediction& accepted,
-                                      const Eigen::VectorXd& x, Eigen::Index row) const
+                                      Eigen::Index row) const
 {
     const ConditionalPrediction::Row given = accepted.row(row);
-    const auto projected = view_.project ? view_.project(x, at(row)) : std::nullopt;
-    double variance_px2 = kLinearizationVariance_px2;
-    if (!projected) variance_px2 += std::pow(given.shift.squaredNorm() / kCurvature_px, 2);
     SearchRegion region = ownRegion(row);
-    region.centre = projected ? *projected : Eigen::Vector2d(at(row).h + given.shift);
-    region.S = given.HPHt + at(row).R + variance_px2 * Eigen::Matrix2d::Identity();
+    region.centre = at(row).h + given.shift;
+    region.S = given.HPHt + at(row).R + kLinearizationVariance_px2 * Eigen::Matrix2d::Identity();
     return region;
+}
+
+void BatchSearch::moveTo(Prediction prediction)
+{
+    std::map<LandmarkId, Eigen::Index> rowOf;
+    for (std::size_t row = 0; row < prediction.rows.size(); ++row)
+        rowOf[prediction.rows[row].id] = static_cast<Eigen::Index>(row);
+    AssociationProblem moved;
+    for (std::size_t i = 0; i < problem_.rows.size(); ++i)
+    {
+        const auto row = rowOf.find(at(problem_.rows[i]).id);
+        if (row == rowOf.end()) continue;
+        moved.rows.push_back(row->second);
+        moved.candidates.push_back(std::move(problem_.candidates[i]));
+        moved.regions.push_back(problem_.regions[i]);
+    }
+    std::map<LandmarkId, Association> before;
+    for (const Association& record : associations) before[record.id] = record;
+    std::set<LandmarkId> tried;
+    for (const auto& record : associations) tried.insert(record.id);
+    for (const Eigen::Index row : untried_) tried.erase(at(row).id);
+
+    prediction_ = std::move(prediction);
+    problem_ = std::move(moved);
+    problem_.prediction = &prediction_;
+    associations.clear();
+    untried_.clear();
+    listRows();
+    for (Association& record : associations)
+        if (tried.count(record.id) > 0) record = before.at(record.id);
+    untried_.erase(std::remove_if(untried_.begin(), untried_.end(), [&](Eigen::Index row)
+                                  { return tried.count(at(row).id) > 0; }),
+                   untried_.end());
 }
 
 bool BatchSearch::search(Eigen::Index row, const SearchRegion& region)
@@ -163,11 +197,7 @@ void BatchSearch::searchRest(const std::vector<int>& accepted)
     {
         const ConditionalPrediction given(prediction_, pixels);
         if (given.valid())
-        {
-            const Eigen::VectorXd x =
-                view_.project ? ekfUpdateMean(prior_, prediction_, pixels) : Eigen::VectorXd();
-            return pickSpread([&](Eigen::Index row) { return regionGiven(given, x, row); });
-        }
+            return pickSpread([&](Eigen::Index row) { return regionGiven(given, row); });
     }
     pickSpread([this](Eigen::Index row) { return ownRegion(row); });
 }

@@ -22,14 +22,19 @@ class BatchSearch
         BatchOptions options;
     };
 
-    BatchSearch(const Belief& prior, const Prediction& prediction, const FrameView& view,
-                const Settings& settings);
+    BatchSearch(Prediction prediction, const FrameView& view, const Settings& settings);
+    BatchSearch(const BatchSearch&) = delete;
+    BatchSearch& operator=(const BatchSearch&) = delete;
 
     /** The oldest landmarks that are far enough from each other, in their own gates. */
     void searchFirstStage();
     /** The others, farthest from the searched ones first, in gates given the accepted pairs. */
     void searchRest(const std::vector<int>& accepted);
 
+    /** Goes on with another prediction of the same frame; pairs and records follow by landmark. */
+    void moveTo(Prediction prediction);
+
+    [[nodiscard]] const Prediction& prediction() const { return prediction_; }
     [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
     /** Records of every row of the prediction, and the search counters. */
     std::vector<Association> associations;
@@ -38,14 +43,14 @@ class BatchSearch
    private:
     [[nodiscard]] SearchRegion ownRegion(Eigen::Index row) const;
     [[nodiscard]] SearchRegion regionGiven(const ConditionalPrediction& accepted,
-                                           const Eigen::VectorXd& x, Eigen::Index row) const;
+                                           Eigen::Index row) const;
+    void listRows();
     [[nodiscard]] const PredictedLandmark& at(Eigen::Index row) const;
     bool search(Eigen::Index row, const SearchRegion& region);
     [[nodiscard]] std::vector<double> spreads() const;
     void pickSpread(const std::function<SearchRegion(Eigen::Index)>& regionOf);
 
-    const Belief& prior_;
-    const Prediction& prediction_;
+    Prediction prediction_;
     const FrameView& view_;
     Settings settings_;
     AssociationProblem problem_;

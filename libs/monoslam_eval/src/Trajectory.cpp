@@ -75,8 +75,7 @@ Trajectory readTum(const std::string& fileName)
         if (first == std::string::npos || line[first] == '#') continue;
         const std::string where = fileName + ":" + std::to_string(number) + ": ";
         const std::optional<StampedPose> pose = parsePose(line);
-        if (!pose)
-            throw std::invalid_argument(where + "not 't x y z qx qy qz qw' with |q| = 1");
+        if (!pose) throw std::invalid_argument(where + "not 't x y z qx qy qz qw' with |q| = 1");
         if (!trajectory.empty() && pose->t_s <= trajectory.back().t_s)
             throw std::invalid_argument(where + "time does not increase");
         trajectory.push_back(*pose);

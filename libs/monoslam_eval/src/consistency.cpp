@@ -74,8 +74,7 @@ Matrix6d poseErrorCovariance(const Vector7d& pose, const Eigen::MatrixXd& P)
 {
     Eigen::Matrix<double, 6, 7> T = Eigen::Matrix<double, 6, 7>::Zero();
     T.topLeftCorner<3, 3>().setIdentity();
-    T.bottomRightCorner<3, 4>() =
-        angleFromQuaternion(pose.segment<4>(camera_state::kOrientation));
+    T.bottomRightCorner<3, 4>() = angleFromQuaternion(pose.segment<4>(camera_state::kOrientation));
     constexpr Eigen::Index n = camera_state::kPoseSize;
     return T * P.topLeftCorner<n, n>() * T.transpose();
 }

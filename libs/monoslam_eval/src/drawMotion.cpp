@@ -53,9 +53,9 @@ Vector13d drawMotion(const Vector13d& x_v, double dt_s, const ConstantVelocityOp
 Vector13d drawCamera(const Vector13d& x_v, const Matrix13d& P_v, std::mt19937& rng)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix13d> eigen(P_v);
-    const Vector13d e = eigen.eigenvectors() *
-                        eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseProduct(
-                            normalVector<kSize>(rng));
+    const Vector13d e =
+        eigen.eigenvectors() *
+        eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseProduct(normalVector<kSize>(rng));
     Vector13d drawn = x_v + e;
     const Eigen::Vector4d q = x_v.segment<4>(kOrientation);
     const Eigen::Vector4d dq =

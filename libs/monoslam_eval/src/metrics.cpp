@@ -145,8 +145,8 @@ TrajectoryErrors trajectoryErrors(const std::vector<PosePair>& pairs, Alignment 
         aligned, [](std::size_t i) { return i + 1; }, errors.stepPosition_m,
         errors.stepRotation_rad);
     relativeErrors(
-        aligned, [&](std::size_t i) { return oneSecondLater(aligned, i); },
-        errors.secondPosition_m, errors.secondRotation_rad);
+        aligned, [&](std::size_t i) { return oneSecondLater(aligned, i); }, errors.secondPosition_m,
+        errors.secondRotation_rad);
     return errors;
 }
 

@@ -22,8 +22,8 @@ LocalScale localScale(const std::vector<PosePair>& pairs)
     const TrajectoryErrors errors = trajectoryErrors(pairs, Alignment::Sim3);
     LocalScale local;
     local.s = errors.alignment.s;
-    local.reliable = pairs.size() >= 3 &&
-                     errors.position_m.rmse < kLargestResidual * standingStillError(pairs);
+    local.reliable =
+        pairs.size() >= 3 && errors.position_m.rmse < kLargestResidual * standingStillError(pairs);
     return local;
 }
 }  // namespace

@@ -62,8 +62,8 @@ bool MapKeeper::isBad(const LandmarkRecord& record, long frame) const
     const auto recent = std::count_if(record.strikes.begin(), record.strikes.end(), [&](long at)
                                       { return frame - at < map.strike_frames; });
     if (map.delete_on_reject && recent > 0 && record.strikes.back() == frame) return true;
-    if (recent >= map.strikes) return true;
-    return record.searched > map.min_searched &&
+    if (!starting_ && recent >= map.strikes) return true;
+    return record.searched > (starting_ ? 3 : 1) * map.min_searched &&
            record.matched < map.min_found_ratio * record.searched;
 }
 
@@ -92,6 +92,17 @@ Mixture MapKeeper::removeBad(Mixture mixture, long frame)
 }
 
 void MapKeeper::forget(LandmarkId id) { removed_ += static_cast<int>(records_.erase(id)); }
+
+void MapKeeper::keepOnly(const Belief& belief)
+{
+    corners_.clear();
+    for (auto it = records_.begin(); it != records_.end();)
+    {
+        const bool gone = belief.find(it->first) < 0;
+        it = gone ? records_.erase(it) : std::next(it);
+        removed_ += gone ? 1 : 0;
+    }
+}
 
 Mixture MapKeeper::boundState(Mixture mixture)
 {

@@ -39,6 +39,12 @@ class MapKeeper
     [[nodiscard]] Mixture revise(Mixture mixture, const std::vector<Association>& associations,
                                  const FrameContext& frame);
 
+    /** Forgets every landmark that is not in the belief, and all candidates. */
+    void keepOnly(const Belief& belief);
+
+    /** While starting, landmarks enter undelayed only. */
+    void setStarting(bool starting) { starting_ = starting; }
+
     [[nodiscard]] const LandmarkRecords& records() const { return records_; }
     [[nodiscard]] int candidates() const { return static_cast<int>(corners_.size()); }
     [[nodiscard]] int added() const { return added_; }
@@ -73,5 +79,6 @@ class MapKeeper
     int matchedNow_ = 0;
     int added_ = 0;
     int removed_ = 0;
+    bool starting_ = false;
 };
 }  // namespace monoslam

@@ -7,6 +7,7 @@
 
 #include "LandmarkFinder.h"
 #include "MapKeeper.h"
+#include "StartWindow.h"
 
 namespace monoslam
 {
@@ -66,6 +67,14 @@ struct MonoSlam::Impl
     double t_s = 0.0;
     bool anyFrame = false;
     int poorFrames = 0;
+    std::optional<StartWindow> window;
+
+    void refineStart(const FrameContext& context, const FrameReport& report);
+    [[nodiscard]] double birthSigma_px() const
+    {
+        return options.search.subpixel ? 2.0 * options.search.sigma_floor_px
+                                       : options.search.sigma_px;
+    }
 
     void check(const Frame& frame) const;
     std::string start(const FrameContext& context, const cv::Mat& image);
@@ -116,6 +125,8 @@ std::string MonoSlam::Impl::start(const FrameContext& context, const cv::Mat& im
     mixture = {{Belief::ofCamera(x_v, P_v), 0.0}};
     if (target) mixture = keeper.addKnownPoints(std::move(mixture), *target, context);
     mixture = keeper.addFirst(std::move(mixture), context, rho0, sigma_rho);
+    if (!options.start.parallax_deg.empty())
+        window.emplace(options.start, camera, target.has_value());
     return {};
 }
 
@@ -130,8 +141,7 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     LandmarkFinder finder(camera, *context.image, options.search, keeper.records(), expected);
     VisibilityOptions visibility;
     visibility.border_px = options.search.patch_px / 2 + 2.0;
-    visibility.sigma_px =
-        options.search.subpixel ? 2.0 * options.search.sigma_floor_px : options.search.sigma_px;
+    visibility.sigma_px = birthSigma_px();
     FrameView view;
     view.predict = [&](const Belief& belief)
     { return predictMeasurements(belief, camera, visibility); };
@@ -148,6 +158,22 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     for (const auto& association : report.associations)
         if (association.fate == Fate::Matched) ++report.matched;
     mixture = keeper.revise(std::move(mixture), report.associations, context);
+}
+
+/** Re-estimates the first seconds, where a wrong linearisation would stay for ever. */
+void MonoSlam::Impl::refineStart(const FrameContext& context, const FrameReport& report)
+{
+    if (!window || !window->open() || mixture.size() != 1) return;
+    Belief& belief = mixture.front().belief;
+    window->record(report.t_s, context.index, belief, report.associations, keeper.records(),
+                   birthSigma_px());
+    auto refined = window->refine(belief, keeper.records(), options.motion);
+    if (refined)
+    {
+        belief = std::move(*refined);
+        keeper.keepOnly(belief);
+    }
+    keeper.setStarting(window->open());
 }
 
 void MonoSlam::Impl::judge(FrameReport& report)
@@ -176,7 +202,7 @@ void MonoSlam::Impl::summarize(FrameReport& report) const
 MonoSlam::MonoSlam(MonoSlamOptions options, const Camera& camera,
                    std::unique_ptr<Associator> associator, unsigned seed, FilterEngine engine)
     : impl_(new Impl{options, camera, std::move(associator), std::move(engine), std::mt19937(seed),
-                     MapKeeper(options, camera, seed), {}})
+                     MapKeeper(options, camera, seed), {}, 0.0, false, 0, {}})
 {
 }
 MonoSlam::~MonoSlam() = default;
@@ -206,6 +232,7 @@ FrameReport MonoSlam::process(const Frame& frame)
         impl_->track(context, dt_s, report, clock);
         impl_->judge(report);
     }
+    impl_->refineStart(context, report);
     report.times.map_ms = clock.lap();
     report.times.total_ms = whole.lap();
     impl_->summarize(report);

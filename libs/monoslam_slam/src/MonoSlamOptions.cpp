@@ -7,8 +7,8 @@ namespace monoslam
 {
 namespace
 {
-constexpr Range kPositive{1e-12, 1e12};
-constexpr Range kNotNegative{0.0, 1e12};
+constexpr Range kAboveZero{1e-12, 1e12};
+constexpr Range kFromZero{0.0, 1e12};
 constexpr Range kRatio{0.0, 1.0};
 
 DetectionOptions detectionFrom(ConfigSection section)
@@ -19,7 +19,7 @@ DetectionOptions detectionFrom(ConfigSection section)
     o.maxPerCell = section.get("max_per_cell", o.maxPerCell, {1, 100});
     o.minDistance_px = section.get("min_distance_px", o.minDistance_px, {1.0, 1000.0});
     o.quality = section.get("quality", o.quality, kRatio);
-    o.minResponse = section.get("min_response", o.minResponse, kNotNegative);
+    o.minResponse = section.get("min_response", o.minResponse, kFromZero);
     o.maxSelfSimilarity = section.get("max_self_similarity", o.maxSelfSimilarity, kRatio);
     o.similarityRadius_px = section.get("similarity_radius_px", o.similarityRadius_px, {4.0, 60.0});
     section.rejectUnknownKeys();
@@ -60,21 +60,37 @@ InitializationOptions InitializationOptions::from(ConfigSection section)
                                                   {"delayed", InitializationMethod::Delayed},
                                                   {"hybrid", InitializationMethod::Hybrid}});
     o.hybrid_min_measured = section.get("hybrid_min_measured", o.hybrid_min_measured, {0, 1000});
-    o.rho0 = section.get("rho0", o.rho0, kPositive);
-    o.sigma_rho = section.get("sigma_rho", o.sigma_rho, kPositive);
-    o.relative_sigma_rho = section.get("relative_sigma_rho", o.relative_sigma_rho, kPositive);
+    o.rho0 = section.get("rho0", o.rho0, kAboveZero);
+    o.sigma_rho = section.get("sigma_rho", o.sigma_rho, kAboveZero);
+    o.relative_sigma_rho = section.get("relative_sigma_rho", o.relative_sigma_rho, kAboveZero);
     o.alpha_min_deg = section.get("alpha_min_deg", o.alpha_min_deg, {0.1, 60.0});
-    o.b_min = section.get("b_min", o.b_min, kNotNegative);
-    o.b_min_relative = section.get("b_min_relative", o.b_min_relative, kNotNegative);
+    o.b_min = section.get("b_min", o.b_min, kFromZero);
+    o.b_min_relative = section.get("b_min_relative", o.b_min_relative, kFromZero);
     o.angle_min_deg = section.get("angle_min_deg", o.angle_min_deg, {0.0, 89.0});
     o.min_seen = section.get("min_seen", o.min_seen, {2, 1000});
-    o.max_relative_sigma = section.get("max_relative_sigma", o.max_relative_sigma, kPositive);
+    o.max_relative_sigma = section.get("max_relative_sigma", o.max_relative_sigma, kAboveZero);
     o.sigma_floor = section.get("sigma_floor", o.sigma_floor, kRatio);
     o.clone = section.get<bool>("covariance", o.clone, {{"clone", true}, {"paper", false}});
     o.max_clones = section.get("max_clones", o.max_clones, {1, 64});
     o.max_candidates = section.get("max_candidates", o.max_candidates, {1, 1000});
-    o.sigma_v = section.get("sigma_v", o.sigma_v, kNotNegative);
-    o.sigma_omega_radps = section.get("sigma_omega_radps", o.sigma_omega_radps, kNotNegative);
+    o.sigma_v = section.get("sigma_v", o.sigma_v, kFromZero);
+    o.sigma_omega_radps = section.get("sigma_omega_radps", o.sigma_omega_radps, kFromZero);
+    section.rejectUnknownKeys();
+    return o;
+}
+
+StartOptions StartOptions::from(ConfigSection section)
+{
+    StartOptions o;
+    o.parallax_deg = section.get("parallax_deg", o.parallax_deg);
+    for (const double parallax : o.parallax_deg)
+        if (!(parallax > 0.0 && parallax < 60.0))
+            section.fail("parallax_deg", "each must lie between 0 and 60");
+    o.views = section.get("views", o.views, {4, 100});
+    o.max_frames = section.get("max_frames", o.max_frames, {4, 100000});
+    o.min_sightings = section.get("min_sightings", o.min_sightings, {2, 100});
+    o.min_inlier_ratio = section.get("min_inlier_ratio", o.min_inlier_ratio, kRatio);
+    o.good_inlier_ratio = section.get("good_inlier_ratio", o.good_inlier_ratio, kRatio);
     section.rejectUnknownKeys();
     return o;
 }
@@ -108,8 +124,10 @@ MonoSlamOptions MonoSlamOptions::from(const mrpt::config::CConfigFileBase& file,
     o.detection.half_px = o.search.patch_px / 2;
     o.detection.border_px = o.search.patch_px / 2 + 4.0;
     o.initialization = InitializationOptions::from(section("initialization"));
+    o.start = StartOptions::from(section("start"));
     o.map = MapOptions::from(section("map"));
     o.metricStart = MetricStartOptions::from(section("metric_start"));
+    o.start.point_sigma = o.metricStart.point_sigma_m;
     o.engine = engineFrom(section("filter"));
     return o;
 }

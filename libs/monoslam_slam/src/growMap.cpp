@@ -175,13 +175,13 @@ Mixture MapKeeper::dropUnusedClones(Mixture mixture) const
 Mixture MapKeeper::addNew(Mixture mixture, const FrameContext& frame)
 {
     const InitializationOptions& rule = options_.initialization;
-    const bool undelayed = rule.method == InitializationMethod::Undelayed;
+    const bool undelayed = starting_ || rule.method == InitializationMethod::Undelayed;
     const int have = matchedNow_ + added_ + (undelayed ? 0 : candidates());
     const int wanted = std::min(options_.map.measured_target - have,
                                 undelayed ? options_.map.measured_target
                                           : rule.max_candidates - candidates());
     int urgent = undelayed ? wanted : 0;
-    if (rule.method == InitializationMethod::Hybrid)
+    if (!undelayed && rule.method == InitializationMethod::Hybrid)
         urgent = std::max(0, rule.hybrid_min_measured - matchedNow_ - added_);
     if (std::max(wanted, urgent) < kWorthDetecting * options_.map.measured_target) return mixture;
 

@@ -60,10 +60,6 @@ struct FrameView
     std::function<Prediction(const Belief&)> predict;
     std::function<SearchResult(const SearchRegion&)> search;
     FilterEngine engine;
-    /** Optional: a landmark's pixel from another mean; else second-stage regions are linear. */
-    std::function<std::optional<Eigen::Vector2d>(const Eigen::VectorXd& x,
-                                                 const PredictedLandmark&)>
-        project = {};
 };
 
 /** What became of one visible landmark in one frame. */

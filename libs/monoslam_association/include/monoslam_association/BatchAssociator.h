@@ -14,12 +14,13 @@ namespace monoslam
 struct MONOSLAM_ASSOCIATION_EXPORT BatchOptions
 {
     double gate_probability = 0.99;  ///< of a right match lying in its ellipse
-    int first_stage =
-        12;  ///< landmarks searched first, which shrink the other gates; 0 = one stage
+    int first_stage = 12;            ///< landmarks searched first, which shrink the other gates;
+                                     ///< 0 = one stage
     double first_stage_distance_px = 80.0;  ///< between two of them
     int max_measured = 60;                  ///< landmarks searched in a frame
-    double final_gate_probability =
-        0.999;  ///< test of each accepted pair given all others; 1 = off
+    double final_gate_probability = 0.999;  ///< test of each accepted pair given all others;
+                                            ///< 1 = off
+    int max_iterations = 3;  ///< linearisations of a frame's update; 1 = plain EKF (the papers)
 
     static BatchOptions from(const mrpt::config::CConfigFileBase& file,
                              const std::string& fileName);
@@ -43,6 +44,8 @@ struct AssociationProblem
  *
  *      S_j|a = S_j - HPHt_ja S_aa^-1 HPHt_aj,   centre = h_j + HPHt_ja S_aa^-1 nu_a
  *
+ * Everything is then linearised again at the mean that those pairs give (an iterated EKF), because
+ * a fast turn bends the projection by pixels, which joint tests would take for outliers.
  * Then select() decides over the pairs of both stages against the prior's joint S. Joint strategies
  * go through one more test: every accepted pair given all others, and every rejected pair given
  * the accepted ones, against chi2(2, final_gate_probability). */
@@ -63,7 +66,13 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
                                           AssociationCounters& counters) const;
 
     /** Both stages of search and decision: index of the accepted candidate of every pair found. */
-    [[nodiscard]] std::vector<int> choose(BatchSearch& search) const;
+    [[nodiscard]] std::vector<int> choose(BatchSearch& search, const Belief& prior,
+                                          const FrameView& view) const;
+
+    /** EKF update, iterated while the projection bends between prior and posterior. */
+    [[nodiscard]] Belief update(const Belief& prior, const Prediction& prediction,
+                                const std::vector<PixelMeasurement>& pixels,
+                                const FrameView& view, AssociationCounters& counters) const;
 
     BatchOptions options_;
     double gate_;

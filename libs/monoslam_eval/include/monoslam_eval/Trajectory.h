@@ -14,7 +14,7 @@ namespace monoslam
 struct StampedPose
 {
     double t_s = 0.0;
-    Eigen::Vector3d r_wc = Eigen::Vector3d::Zero();        ///< [m]
+    Eigen::Vector3d r_wc = Eigen::Vector3d::Zero();      ///< [m]
     Eigen::Vector4d q_wc = Eigen::Vector4d(1, 0, 0, 0);  ///< unit, (w, x, y, z)
 };
 using Trajectory = std::vector<StampedPose>;

@@ -18,8 +18,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
                                                       const StampedPose& truth);
 
 /** e' P^-1 e; nothing if P is not positive definite (a pose that is known exactly). */
-[[nodiscard]] MONOSLAM_EVAL_EXPORT std::optional<double> nees(const Vector6d& e,
-                                                              const Matrix6d& P);
+[[nodiscard]] MONOSLAM_EVAL_EXPORT std::optional<double> nees(const Vector6d& e, const Matrix6d& P);
 
 /** Covariance of that error from a belief's camera: T P T' with T_q = 2 vec(q* .) (algorithms
  *  10.4); regular although P has a null direction along q. */

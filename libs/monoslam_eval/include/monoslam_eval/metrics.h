@@ -53,9 +53,9 @@ struct Similarity
 struct TrajectoryErrors
 {
     Similarity alignment;
-    Statistics position_m;       ///< ATE: |p_gt - (s R p + t)|
-    Statistics rotation_rad;     ///< angle between the aligned and the true orientation
-    Statistics stepPosition_m;   ///< RPE over one frame
+    Statistics position_m;      ///< ATE: |p_gt - (s R p + t)|
+    Statistics rotation_rad;    ///< angle between the aligned and the true orientation
+    Statistics stepPosition_m;  ///< RPE over one frame
     Statistics stepRotation_rad;
     Statistics secondPosition_m;  ///< RPE over 1 s
     Statistics secondRotation_rad;
@@ -65,8 +65,7 @@ trajectoryErrors(const std::vector<PosePair>& pairs, Alignment alignment);
 
 /** Rotation error [rad] after the one rotation that fits the orientations best (a rotation from
  *  positions alone is undetermined about a straight path). */
-[[nodiscard]] MONOSLAM_EVAL_EXPORT Statistics
-rotationErrors(const std::vector<PosePair>& pairs);
+[[nodiscard]] MONOSLAM_EVAL_EXPORT Statistics rotationErrors(const std::vector<PosePair>& pairs);
 
 /** Scale of the Sim3 fit in the first and the last third of the pairs. */
 struct ScaleDrift
@@ -86,13 +85,13 @@ struct ScaleDrift
 /** A path out and back along a straight line, judged without ground truth. */
 struct OutAndBack
 {
-    double length = 0.0;        ///< of the whole path
-    double gap = 0.0;           ///< distance from the end to the start
-    double offLine = 0.0;       ///< largest distance from the line that fits all positions best
-    double outLength = 0.0;     ///< path up to the turning point
-    double backLength = 0.0;    ///< path from there on
-    double outReach = 0.0;      ///< start to turning point, projected on the line
-    double backReach = 0.0;     ///< turning point to end, projected on the line
+    double length = 0.0;      ///< of the whole path
+    double gap = 0.0;         ///< distance from the end to the start
+    double offLine = 0.0;     ///< largest distance from the line that fits all positions best
+    double outLength = 0.0;   ///< path up to the turning point
+    double backLength = 0.0;  ///< path from there on
+    double outReach = 0.0;    ///< start to turning point, projected on the line
+    double backReach = 0.0;   ///< turning point to end, projected on the line
 };
 [[nodiscard]] MONOSLAM_EVAL_EXPORT OutAndBack outAndBack(const Trajectory& trajectory);
 }  // namespace monoslam

@@ -2,12 +2,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "monoslam_models/ConstantVelocity.h"
 #include "monoslam_slam/MetricStart.h"
 #include "monoslam_slam/export.h"
 #include "monoslam_vision/CornerTracker.h"
 #include "monoslam_vision/detectCorners.h"
+
+namespace mrpt::config
+{
+class CConfigFileBase;
+}
 
 namespace monoslam
 {
@@ -59,6 +65,20 @@ struct MONOSLAM_SLAM_EXPORT InitializationOptions
     static InitializationOptions from(ConfigSection section);
 };
 
+/** Re-estimation of the first seconds, ini section [start]. */
+struct MONOSLAM_SLAM_EXPORT StartOptions
+{
+    std::vector<double> parallax_deg{0.5, 1.0, 2.0, 4.0, 8.0};  ///< medians at which it happens; empty = never
+    int views = 15;                 ///< of the window, evenly spaced
+    int max_frames = 200;           ///< after which the window closes
+    int min_sightings = 3;          ///< of a landmark that stays
+    double min_inlier_ratio = 0.6;  ///< of its pixels
+    double good_inlier_ratio = 0.97;  ///< fewer explained pixels: other solutions are tried too
+    double point_sigma = 0.0005;    ///< of known points, from [metric_start] [unit]
+
+    static StartOptions from(ConfigSection section);
+};
+
 /** What stays in the map, ini section [map]. */
 struct MONOSLAM_SLAM_EXPORT MapOptions
 {
@@ -89,11 +109,12 @@ struct MONOSLAM_SLAM_EXPORT MonoSlamOptions
     SearchOptions search;
     DetectionOptions detection;
     InitializationOptions initialization;
+    StartOptions start;
     MapOptions map;
     MetricStartOptions metricStart;
     EngineName engine = EngineName::Ours;
 
-    /** Reads [motion] [search] [detection] [initialization] [map] [metric_start] [filter].
+    /** Reads [motion] [search] [detection] [initialization] [start] [map] [metric_start] [filter].
      *  \throw std::invalid_argument naming file, section and key */
     static MonoSlamOptions from(const mrpt::config::CConfigFileBase& file,
                                 const std::string& fileName);

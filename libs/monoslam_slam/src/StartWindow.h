@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "LandmarkRecord.h"
+#include "monoslam_association/Associator.h"
+#include "monoslam_filter/smoothWindow.h"
+#include "monoslam_models/Camera.h"
+#include "monoslam_slam/MonoSlamOptions.h"
+
+namespace monoslam
+{
+/** The first seconds of a run, kept until their parallax fixes the structure.
+ *
+ * An EKF that starts from unknown depths linearises at its worst estimates and keeps what it
+ * wrongly learnt then. While the window is open all pixels are kept; each time the median parallax
+ * since the first frame passes a threshold, poses and landmarks are estimated anew from all of them
+ * (smoothWindow) and the belief is rebuilt, mean and covariance, from that. */
+class StartWindow
+{
+   public:
+    StartWindow(const StartOptions& options, const Camera& camera, bool metric)
+        : options_(options), camera_(camera), metric_(metric)
+    {
+    }
+
+    [[nodiscard]] bool open() const { return open_; }
+
+    /** Keeps the frame's pose and pixels: matched, rejected and newborn ones. */
+    void record(double t_s, long frame, const Belief& belief,
+                const std::vector<Association>& associations, const LandmarkRecords& records,
+                double sigma_px);
+
+    /** The belief estimated anew, if a threshold has been passed; closes after the last one. */
+    [[nodiscard]] std::optional<Belief> refine(const Belief& belief,
+                                               const LandmarkRecords& records,
+                                               const ConstantVelocityOptions& motion);
+
+    /** Share of the window's pixels that the last estimate explains; low after a wrong start. */
+    [[nodiscard]] double lastInlierRatio() const { return lastInlierRatio_; }
+
+   private:
+    struct Pixel
+    {
+        LandmarkId id = -1;
+        Eigen::Vector2d z;
+        Eigen::Matrix2d R;
+    };
+    struct View
+    {
+        double t_s = 0.0;
+        Vector7d pose;
+        std::vector<Pixel> pixels;
+    };
+
+    [[nodiscard]] double medianParallax_rad(const Belief& belief) const;
+    [[nodiscard]] bool due(const Belief& belief) const;
+    [[nodiscard]] SmoothedWindow smooth(const Window& window) const;
+    [[nodiscard]] std::vector<std::size_t> selectViews() const;
+    [[nodiscard]] Window makeWindow(const std::vector<std::size_t>& views, const Belief& belief,
+                                    const LandmarkRecords& records,
+                                    std::vector<LandmarkId>& ids) const;
+    [[nodiscard]] std::vector<bool> trusted(const Window& window,
+                                            const SmoothedWindow& smoothed) const;
+    [[nodiscard]] Belief rebuild(const SmoothedWindow& smoothed,
+                                 const std::vector<LandmarkId>& ids, const std::vector<bool>& keep,
+                                 const ConstantVelocityOptions& motion) const;
+
+    StartOptions options_;
+    Camera camera_;
+    bool metric_;
+    bool open_ = true;
+    std::size_t nextThreshold_ = 0;
+    std::vector<View> views_;
+    std::size_t lastRefined_ = 0;
+    double lastInlierRatio_ = 1.0;
+};
+}  // namespace monoslam
