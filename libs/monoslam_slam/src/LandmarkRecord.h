@@ -13,7 +13,7 @@ namespace monoslam
 struct LandmarkRecord
 {
     Appearance born;
-    long bornFrame = 0;
+    long bornFrame = 0;  ///< of its appearance
     long lastSeen = 0;
     int searched = 0;
     int found = 0;

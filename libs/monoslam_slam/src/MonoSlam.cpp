@@ -252,7 +252,8 @@ std::vector<MapLandmark> MonoSlam::map() const
         const LandmarkRecord& record = impl_->keeper.records().at(slot.id);
         map.push_back({slot.id, slot.kind, belief.x.segment(slot.offset, slot.size()),
                        belief.P.block(slot.offset, slot.offset, slot.size(), slot.size()),
-                       record.matched, record.lastSeen, record.known});
+                       record.matched, record.lastSeen, record.known, record.bornFrame,
+                       record.born.uv_px});
     }
     return map;
 }

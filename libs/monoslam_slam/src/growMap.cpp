@@ -110,7 +110,8 @@ Mixture MapKeeper::promoteCandidates(Mixture mixture, const FrameContext& frame)
         LandmarkRecord record;
         record.born = corner->born;
         record.born.pose = corner->first.pose;
-        record.bornFrame = record.lastSeen = frame.index;
+        record.bornFrame = corner->bornFrame;
+        record.lastSeen = frame.index;
         records_[corner->id] = record;
         ++added_;
     }

@@ -71,5 +71,7 @@ struct MapLandmark
     int timesSeen = 0;
     long lastSeen = -1;   ///< frame index
     bool known = false;   ///< one of the metric target's points
+    long bornFrame = 0;   ///< frame index of its appearance
+    Eigen::Vector2d born_px = Eigen::Vector2d::Zero();  ///< its pixel there
 };
 }  // namespace monoslam
