@@ -14,8 +14,8 @@ namespace monoslam
 /** One row of the table for one run. */
 struct Figure
 {
-    std::string key;    ///< in JSON and CSV, with its unit
-    std::string label;  ///< in the table, with its unit
+    std::string key;     ///< in JSON and CSV, with its unit
+    std::string label;   ///< in the table, with its unit
     double value = 0.0;  ///< NaN = not available
     int decimals = 3;
 };

@@ -27,8 +27,7 @@ std::vector<std::string> split(const std::string& line)
 
 std::size_t columnOf(const std::vector<std::string>& header, const std::string& name)
 {
-    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) -
-                                    header.begin());
+    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
 }
 
 FrameLog readFrameLog(const std::string& fileName)

@@ -31,14 +31,14 @@ void addErrors(std::vector<Figure>& rows, const std::string& name, const Traject
     rows.push_back({key + "ate_max_mm", label + "ATE max [mm]", kMm * e.position_m.max, 3});
     rows.push_back({key + "rot_rms_deg", label + "rotation rms [deg]", kDeg * e.rotation_rad.rmse});
     rows.push_back({key + "rot_max_deg", label + "rotation max [deg]", kDeg * e.rotation_rad.max});
-    rows.push_back({key + "rpe_frame_rmse_mm", label + "RPE 1 frame rmse [mm]",
-                    kMm * e.stepPosition_m.rmse});
-    rows.push_back({key + "rpe_1s_rmse_mm", label + "RPE 1 s rmse [mm]",
-                    kMm * e.secondPosition_m.rmse});
+    rows.push_back(
+        {key + "rpe_frame_rmse_mm", label + "RPE 1 frame rmse [mm]", kMm * e.stepPosition_m.rmse});
+    rows.push_back(
+        {key + "rpe_1s_rmse_mm", label + "RPE 1 s rmse [mm]", kMm * e.secondPosition_m.rmse});
 }
 
-void addNees(std::vector<Figure>& rows, const std::string& name,
-             const std::vector<PosePair>& pairs, const RunOutput& run, const Similarity& alignment)
+void addNees(std::vector<Figure>& rows, const std::string& name, const std::vector<PosePair>& pairs,
+             const RunOutput& run, const Similarity& alignment)
 {
     const Statistics s = statistics(trajectoryNees(pairs, run.covariances, alignment));
     const std::string key = name.empty() ? "none" : name;
@@ -80,27 +80,29 @@ std::vector<Figure> figuresAgainst(const RunOutput& run, const Trajectory& truth
     const double nan = std::numeric_limits<double>::quiet_NaN();
 
     std::vector<Figure> rows;
-    rows.push_back({"frames_estimated", "frames estimated",
-                    static_cast<double>(run.trajectory.size()), 0});
+    rows.push_back(
+        {"frames_estimated", "frames estimated", static_cast<double>(run.trajectory.size()), 0});
     rows.push_back({"frames_matched", "frames matched", static_cast<double>(pairs.size()), 0});
     rows.push_back({"truth_length_m", "path length, truth [m]", pathLength(truthOf(pairs)), 3});
     rows.push_back({"length_m", "path length, estimate", pathLength(run.trajectory), 3});
-    rows.push_back({"standing_still_mm", "standing still [mm]", kMm * standingStillError(pairs), 1});
+    rows.push_back(
+        {"standing_still_mm", "standing still [mm]", kMm * standingStillError(pairs), 1});
     addErrors(rows, "", none);
     addErrors(rows, "SE3", se3);
     addErrors(rows, "Sim3", sim3);
     rows.push_back({"rotation_own_rms_deg", "rotation rms, own fit [deg]", kDeg * rotation.rmse});
     rows.push_back({"rpe_frame_rot_rms_deg", "RPE 1 frame rot. rms [deg]",
                     kDeg * none.stepRotation_rad.rmse, 4});
-    rows.push_back({"rpe_1s_rot_rms_deg", "RPE 1 s rot. rms [deg]",
-                    kDeg * none.secondRotation_rad.rmse});
+    rows.push_back(
+        {"rpe_1s_rot_rms_deg", "RPE 1 s rot. rms [deg]", kDeg * none.secondRotation_rad.rmse});
     const bool fitted = pairs.size() >= 3;
     rows.push_back({"scale", "scale s, truth / estimate", fitted ? sim3.alignment.s : nan, 5});
     rows.push_back({"scale_error_pct", "scale error of estimate [%]",
                     fitted ? kPercent * (1.0 / sim3.alignment.s - 1.0) : nan, 2});
-    rows.push_back({"scale_drift_pct", "scale drift, 1st-3rd third [%]", kPercent * drift.drift, 2});
-    rows.push_back({"scale_drift_reliable", "  thirds fit well (1 = yes)",
-                    drift.reliable ? 1.0 : 0.0, 0});
+    rows.push_back(
+        {"scale_drift_pct", "scale drift, 1st-3rd third [%]", kPercent * drift.drift, 2});
+    rows.push_back(
+        {"scale_drift_reliable", "  thirds fit well (1 = yes)", drift.reliable ? 1.0 : 0.0, 0});
     addNees(rows, "", pairs, run, none.alignment);
     addNees(rows, "SE3", pairs, run, se3.alignment);
     addNees(rows, "Sim3", pairs, run, sim3.alignment);
@@ -112,15 +114,15 @@ std::vector<Figure> figuresOutAndBack(const RunOutput& run)
 {
     const OutAndBack o = outAndBack(run.trajectory);
     std::vector<Figure> rows;
-    rows.push_back({"frames_estimated", "frames estimated",
-                    static_cast<double>(run.trajectory.size()), 0});
+    rows.push_back(
+        {"frames_estimated", "frames estimated", static_cast<double>(run.trajectory.size()), 0});
     rows.push_back({"length", "path length", o.length, 4});
     rows.push_back({"reach", "reach along the line", o.outReach, 4});
     rows.push_back({"gap_pct", "gap end-start / length [%]", kPercent * o.gap / o.length, 3});
     rows.push_back({"gap_reach_pct", "  gap / reach [%]", kPercent * o.gap / o.outReach, 3});
     rows.push_back({"off_line_pct", "off the line / length [%]", kPercent * o.offLine / o.length});
-    rows.push_back({"off_line_reach_pct", "  off the line / reach [%]",
-                    kPercent * o.offLine / o.outReach, 3});
+    rows.push_back(
+        {"off_line_reach_pct", "  off the line / reach [%]", kPercent * o.offLine / o.outReach, 3});
     rows.push_back({"back_out_pct", "way back / way out - 1 [%]",
                     kPercent * (o.backLength / o.outLength - 1.0), 3});
     rows.push_back({"back_out_reach_pct", "  along the line only [%]",

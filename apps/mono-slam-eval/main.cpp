@@ -23,7 +23,8 @@ struct Arguments
 
 Arguments parse(int argc, char** argv)
 {
-    TCLAP::CmdLine cmd("Accuracy, consistency and time of mono-slam runs, side by side.", ' ', "0.1");
+    TCLAP::CmdLine cmd("Accuracy, consistency and time of mono-slam runs, side by side.", ' ',
+                       "0.1");
     TCLAP::ValueArg<std::string> groundtruth(
         "g", "groundtruth", "True poses, 't x y z qx qy qz qw' a line", false, "", "FILE", cmd);
     TCLAP::SwitchArg outAndBack("", "out-and-back",
@@ -31,14 +32,15 @@ Arguments parse(int argc, char** argv)
     TCLAP::ValueArg<std::string> json("", "json", "Writes all figures to FILE", false, "", "FILE",
                                       cmd);
     TCLAP::SwitchArg csv("", "csv", "Prints CSV with all digits instead of the table", cmd);
-    TCLAP::SwitchArg nearest("", "nearest",
-                             "Takes the nearest true pose instead of interpolating", cmd);
+    TCLAP::SwitchArg nearest("", "nearest", "Takes the nearest true pose instead of interpolating",
+                             cmd);
     TCLAP::ValueArg<double> tolerance("", "tolerance", "To the nearest true pose [s]", false, 0.02,
                                       "S", cmd);
     TCLAP::UnlabeledMultiArg<std::string> runs(
         "output", "Output folders of mono-slam, or trajectories", true, "OUTPUT", cmd);
     cmd.parse(argc, argv);
-    Arguments a{runs.getValue(), groundtruth.getValue(), json.getValue(), outAndBack.getValue(),
+    Arguments a{runs.getValue(), groundtruth.getValue(),
+                json.getValue(), outAndBack.getValue(),
                 csv.getValue(),  {tolerance.getValue(), !nearest.getValue()}};
     if (a.groundtruth.empty() != a.outAndBack)
         throw std::invalid_argument("give either --groundtruth FILE or --out-and-back");

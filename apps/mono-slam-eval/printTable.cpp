@@ -52,8 +52,7 @@ void printTable(std::ostream& out, const Table& table)
     out << '\n';
     for (std::size_t row = 0; row < table.columns.front().size(); ++row)
     {
-        out << std::left << std::setw(labelWidth) << table.columns.front()[row].label
-            << std::right;
+        out << std::left << std::setw(labelWidth) << table.columns.front()[row].label << std::right;
         for (std::size_t i = 0; i < table.names.size(); ++i)
             out << std::setw(widths[i]) << rounded(table.columns[i][row]);
         out << '\n';

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "monoslam_eval/SyntheticWorld.h"
@@ -16,8 +15,8 @@ namespace monoslam
 {
 struct SyntheticRunOptions
 {
-    bool delayed = true;  ///< DI-D with clones, else undelayed
-    bool target = true;   ///< metric start: four known points, 0.4 m x 0.3 m at 1 m
+    bool delayed = true;       ///< DI-D with clones, else undelayed
+    bool target = true;        ///< metric start: four known points, 0.4 m x 0.3 m at 1 m
     bool secondOrder = false;  ///< secondOrderNoise() is added to each pixel's R
     double dt_s = 1.0 / 30.0;
     ConstantVelocityOptions motion{NoiseForm::Density, 0.1, 0.1};
@@ -119,8 +118,9 @@ class SyntheticRun
 
     [[nodiscard]] double poseNees() const
     {
-        const auto stamped = [](const Vector13d& x_v)
-        { return StampedPose{0.0, x_v.head<3>(), x_v.segment<4>(camera_state::kOrientation)}; };
+        const auto stamped = [](const Vector13d& x_v) {
+            return StampedPose{0.0, x_v.head<3>(), x_v.segment<4>(camera_state::kOrientation)};
+        };
         const Matrix6d P = poseErrorCovariance(belief_.pose(), belief_.P);
         return nees(poseError(stamped(belief_.camera()), stamped(truth_)), P)
             .value_or(std::nan(""));
@@ -137,9 +137,9 @@ class SyntheticRun
             const auto t =
                 triangulate(world_.camera(), {pose0, tracked.uv0}, {belief_.pose(), *uv});
             if (t && t->alpha_rad >= options_.minParallax_rad)
-                belief_ = addTriangulated(std::move(belief_), tracked.id, *t,
-                                          {tracked.clone, {}, {}, tracked.uv0},
-                                          options_.sigma_px, 0.0);
+                belief_ =
+                    addTriangulated(std::move(belief_), tracked.id, *t,
+                                    {tracked.clone, {}, {}, tracked.uv0}, options_.sigma_px, 0.0);
             else
                 waiting.push_back(tracked);
         }
@@ -182,8 +182,8 @@ class SyntheticRun
     double drawRho()
     {
         if (options_.delayed)
-            return std::uniform_real_distribution<double>(
-                1.0 / options_.farthest_m, 1.0 / options_.nearest_m)(world_.rng());
+            return std::uniform_real_distribution<double>(1.0 / options_.farthest_m,
+                                                          1.0 / options_.nearest_m)(world_.rng());
         std::normal_distribution<double> prior(options_.prior.rho0, options_.prior.sigma_rho);
         double rho = 0.0;
         while (rho < 0.01) rho = prior(world_.rng());

@@ -53,15 +53,18 @@ inline void print(const char* name, const AverageNees& nees)
 {
     std::printf("%s: inside [%.2f, %.2f] in %d of the first 100 frames", name, nees.bounds.low,
                 nees.bounds.high, nees.insideOfFirst(100));
-    std::printf(", leaves for good at frame %d of %zu (0 = never)\n  frame: NEES ",
-                nees.leavesAt(), nees.mean.size());
+    std::printf(", leaves for good at frame %d of %zu (0 = never)\n  frame: NEES ", nees.leavesAt(),
+                nees.mean.size());
     for (std::size_t i = 0; i < nees.mean.size(); i += nees.mean.size() / 10)
         std::printf(" %zu: %.2f", i + 1, nees.mean[i]);
     std::printf("\n");
 }
 
 /** Four known points, landmarks triangulated against pose clones. */
-inline SyntheticRunOptions delayedMetricStart() { return {}; }
+inline SyntheticRunOptions delayedMetricStart()
+{
+    return {};
+}
 
 /** Four known points, landmarks at once; inverse depth 0.5 +- 0.25 / m (at least 1 m away). */
 inline SyntheticRunOptions undelayedMetricStart()

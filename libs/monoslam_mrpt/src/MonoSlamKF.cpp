@@ -166,8 +166,7 @@ class MonoSlamKF : public mrpt::bayes::CKalmanFilterCapable<13, 2, 6, 0>
 
     void OnPostIteration() override
     {
-        auto&& P = m_pkk.asEigen();
-        P = (0.5 * (P + P.transpose())).eval();
+        m_pkk.asEigen() = (0.5 * (m_pkk.asEigen() + m_pkk.asEigen().transpose())).eval();
     }
 
     Belief layout_;
