@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_slam/MonoSlam.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <stdexcept>
@@ -13,6 +14,10 @@ namespace monoslam
 {
 namespace
 {
+constexpr int kSettled = 5;            ///< matches after which a landmark's residual tells of noise
+constexpr std::size_t kFewest = 10;    ///< residuals that make a median
+constexpr double kMedianChi2 = 1.386;  ///< of chi2(2)
+constexpr double kForget = 0.05;       ///< weight of one frame in the running noise
 constexpr double kExact = 1e-12;  ///< variance of what defines the world
 
 /** Thread CPU time since the last call [ms]. */
@@ -34,6 +39,29 @@ class StageClock
     }
     double last_ = read();
 };
+
+/** Squared post-fit residuals [px^2] of every pair found, right or wrong, of landmarks that have
+ *  settled. */
+std::vector<double> settledResiduals(const Belief& belief, const Camera& camera,
+                                     const std::vector<Association>& associations,
+                                     const LandmarkRecords& records)
+{
+    std::vector<double> squares;
+    for (const auto& association : associations)
+    {
+        const bool found =
+            association.fate == Fate::Matched || association.fate == Fate::Rejected;
+        const Eigen::Index index = belief.find(association.id);
+        const auto record = records.find(association.id);
+        if (!found || index < 0 || record == records.end() || record->second.matched < kSettled)
+            continue;
+        const auto& slot = belief.landmarks[static_cast<std::size_t>(index)];
+        const auto pixel = projectPixel(camera, belief.camera(), slot.kind,
+                                        belief.x.segment(slot.offset, slot.size()));
+        if (pixel) squares.push_back((*pixel - association.z).squaredNorm());
+    }
+    return squares;
+}
 
 double residualRms(const Belief& belief, const Camera& camera,
                    const std::vector<Association>& associations)
@@ -69,6 +97,9 @@ struct MonoSlam::Impl
     int poorFrames = 0;
     std::optional<StartWindow> window;
 
+    double sigmaFloor2_px2 = 0.0;  ///< of a match, as the residuals say
+
+    void adaptNoise(const FrameReport& report);
     void refineStart(const FrameContext& context, const FrameReport& report);
     [[nodiscard]] double birthSigma_px() const
     {
@@ -138,7 +169,10 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     report.times.predict_ms = clock.lap();
 
     const Belief expected = best(mixture);
-    LandmarkFinder finder(camera, *context.image, options.search, keeper.records(), expected);
+    SearchOptions search = options.search;
+    search.sigma_floor_px = std::sqrt(std::max(
+        sigmaFloor2_px2, options.search.sigma_floor_px * options.search.sigma_floor_px));
+    LandmarkFinder finder(camera, *context.image, search, keeper.records(), expected);
     VisibilityOptions visibility;
     visibility.border_px = options.search.patch_px / 2 + 2.0;
     visibility.sigma_px = birthSigma_px();
@@ -154,10 +188,28 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     report.times.search_ms = report.counters.searchMs;
     report.times.associate_ms = report.counters.selectMs;
     report.times.update_ms = clock.lap() - report.counters.searchMs - report.counters.selectMs;
+    if (options.search.subpixel) adaptNoise(report);
     report.residualRms_px = residualRms(best(mixture), camera, report.associations);
     for (const auto& association : report.associations)
         if (association.fate == Fate::Matched) ++report.matched;
     mixture = keeper.revise(std::move(mixture), report.associations, context);
+}
+
+/** Lets the noise of a match follow the residuals: what calibration, shutter and blur add to a match
+ *  differs from camera to camera and is not in the alignment's own covariance. */
+void MonoSlam::Impl::adaptNoise(const FrameReport& report)
+{
+    const double least = options.search.sigma_floor_px * options.search.sigma_floor_px;
+    const double most = options.search.max_sigma_floor_px * options.search.max_sigma_floor_px;
+    std::vector<double> squares =
+        settledResiduals(best(mixture), camera, report.associations, keeper.records());
+    if (squares.size() >= kFewest)
+    {
+        const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+        std::nth_element(squares.begin(), middle, squares.end());
+        sigmaFloor2_px2 += kForget * (*middle / kMedianChi2 - sigmaFloor2_px2);
+    }
+    sigmaFloor2_px2 = std::clamp(sigmaFloor2_px2, least, std::max(least, most));
 }
 
 /** Re-estimates the first seconds, where a wrong linearisation would stay for ever. */
@@ -202,7 +254,7 @@ void MonoSlam::Impl::summarize(FrameReport& report) const
 MonoSlam::MonoSlam(MonoSlamOptions options, const Camera& camera,
                    std::unique_ptr<Associator> associator, unsigned seed, FilterEngine engine)
     : impl_(new Impl{options, camera, std::move(associator), std::move(engine), std::mt19937(seed),
-                     MapKeeper(options, camera, seed), {}, 0.0, false, 0, {}})
+                     MapKeeper(options, camera, seed), {}, 0.0, false, 0, {}, 0.0})
 {
 }
 MonoSlam::~MonoSlam() = default;

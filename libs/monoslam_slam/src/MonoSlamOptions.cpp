@@ -45,6 +45,8 @@ SearchOptions SearchOptions::from(ConfigSection section)
     o.subpixel = section.get("subpixel", o.subpixel);
     o.sigma_px = section.get("sigma_px", o.sigma_px, {0.01, 100.0});
     o.sigma_floor_px = section.get("sigma_floor_px", o.sigma_floor_px, {0.0, 100.0});
+    o.max_sigma_floor_px =
+        section.get("max_sigma_floor_px", o.max_sigma_floor_px, {0.0, 100.0});
     o.smoothing_px = section.get("smoothing_px", o.smoothing_px, {0.0, 3.0});
     o.max_scale = section.get("max_scale", o.max_scale, {1.05, 10.0});
     o.max_view_angle_deg = section.get("max_view_angle_deg", o.max_view_angle_deg, {1.0, 85.0});

@@ -26,6 +26,8 @@ struct MONOSLAM_SLAM_EXPORT SearchOptions
     bool subpixel = true;
     double sigma_px = 1.0;          ///< of a match without sub-pixel alignment
     double sigma_floor_px = 0.15;   ///< of a match with it, in quadrature with the alignment's own
+    double max_sigma_floor_px = 1.5;  ///< the floor follows the residuals up to here; the same as
+                                      ///< sigma_floor_px: it does not
     double smoothing_px = 0.7;      ///< of every image
     double max_scale = 2.0;         ///< change of a patch's size since birth
     double max_view_angle_deg = 45.0;
