@@ -6,9 +6,9 @@ set -euo pipefail
 packages=(
     ca-certificates ccache cmake g++ ninja-build
     libboost-dev libeigen3-dev libtclap-dev nlohmann-json3-dev
-    libmrpt-bayes-dev libmrpt-config-dev libmrpt-obs-dev libmrpt-opengl-dev libmrpt-slam-dev
-    libopencv-calib3d-dev libopencv-core-dev libopencv-features2d-dev libopencv-imgcodecs-dev
-    libopencv-imgproc-dev libopencv-video-dev libopencv-videoio-dev
+    libmrpt-bayes-dev libmrpt-config-dev libmrpt-obs-dev libmrpt-opengl-dev
+    libopencv-calib3d-dev libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
+    libopencv-videoio-dev
 )
 for group in "$@"; do
     case $group in

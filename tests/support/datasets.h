@@ -26,8 +26,14 @@ inline constexpr const char* noRealDatasets =
     "no real sequences: neither ../shared/datasets nor MONOSLAM_DATASETS is a folder";
 
 /** What is shipped with the source: configurations, the rendered sequence. */
-inline std::filesystem::path sourceFolder() { return MONOSLAM_SOURCE_DIR; }
+inline std::filesystem::path sourceFolder()
+{
+    return MONOSLAM_SOURCE_DIR;
+}
 
 /** Where the programs are built. */
-inline std::filesystem::path programFolder() { return MONOSLAM_BIN_DIR; }
+inline std::filesystem::path programFolder()
+{
+    return MONOSLAM_BIN_DIR;
+}
 }  // namespace monoslam
