@@ -17,6 +17,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Matrix26d = Eigen::Matrix<double, 2, 6>;
 
 constexpr Eigen::Index kPoseDof = 6;
+constexpr double kWeak = 1e-4;  ///< information that keeps what nothing was seen of regular
 constexpr double kBadObservation = 1e4;  ///< cost of a landmark that cannot be projected
 
 /** 7 x 6 map from (dr, dtheta) to the change of (r, q), q (x) (1, dtheta / 2). */
@@ -135,9 +136,9 @@ class NormalEquations
    private:
     void clear(std::size_t landmarks)
     {
-        H_pp_ = Eigen::MatrixXd::Zero(poseSize_, poseSize_);
+        H_pp_ = kWeak * Eigen::MatrixXd::Identity(poseSize_, poseSize_);
         b_p_ = Eigen::VectorXd::Zero(poseSize_);
-        H_ll_.assign(landmarks, Eigen::Matrix3d::Zero());
+        H_ll_.assign(landmarks, Eigen::Matrix3d(kWeak * Eigen::Matrix3d::Identity()));
         H_pl_.assign(landmarks, Eigen::MatrixXd::Zero(poseSize_, 3));
         b_l_.assign(landmarks, Eigen::Vector3d::Zero());
     }
@@ -248,26 +249,31 @@ double NormalEquations::observation(const Window& at, std::size_t i, bool linear
 Eigen::MatrixXd NormalEquations::covariance() const
 {
     const auto n = static_cast<Eigen::Index>(H_ll_.size());
-    constexpr Eigen::Index kTwoPoses = 2 * kPoseDof;
+    constexpr Eigen::Index kPoses = 3 * kPoseDof;
     Eigen::MatrixXd S = H_pp_;
     Eigen::MatrixXd G(3 * n, poseSize_);
-    Eigen::MatrixXd P = Eigen::MatrixXd::Zero(kTwoPoses + 3 * n, kTwoPoses + 3 * n);
+    Eigen::MatrixXd P = Eigen::MatrixXd::Zero(kPoses + 3 * n, kPoses + 3 * n);
     for (Eigen::Index i = 0; i < n; ++i)
     {
         const auto l = static_cast<std::size_t>(i);
         const Eigen::Matrix3d inverse = H_ll_[l].inverse();
         G.middleRows<3>(3 * i) = inverse * H_pl_[l].transpose();
         S.noalias() -= H_pl_[l] * G.middleRows<3>(3 * i);
-        P.block<3, 3>(kTwoPoses + 3 * i, kTwoPoses + 3 * i) = inverse;
+        P.block<3, 3>(kPoses + 3 * i, kPoses + 3 * i) = inverse;
     }
     const Eigen::LDLT<Eigen::MatrixXd> ldlt(S);
     const Eigen::MatrixXd cov = ldlt.solve(Eigen::MatrixXd::Identity(poseSize_, poseSize_));
     if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !cov.allFinite()) return {};
     const Eigen::MatrixXd Gc = G * cov;
     P.bottomRightCorner(3 * n, 3 * n).noalias() += Gc * G.transpose();
-    P.topLeftCorner<kTwoPoses, kTwoPoses>() = cov.bottomRightCorner<kTwoPoses, kTwoPoses>();
-    P.bottomLeftCorner(3 * n, kTwoPoses) = -Gc.rightCols<kTwoPoses>();
-    P.topRightCorner(kTwoPoses, 3 * n) = P.bottomLeftCorner(3 * n, kTwoPoses).transpose();
+    constexpr Eigen::Index kLastTwo = 2 * kPoseDof;
+    P.topLeftCorner<kPoseDof, kPoseDof>() = cov.topLeftCorner<kPoseDof, kPoseDof>();
+    P.block<kPoseDof, kLastTwo>(0, kPoseDof) = cov.topRightCorner<kPoseDof, kLastTwo>();
+    P.block<kLastTwo, kPoseDof>(kPoseDof, 0) = cov.bottomLeftCorner<kLastTwo, kPoseDof>();
+    P.block<kLastTwo, kLastTwo>(kPoseDof, kPoseDof) = cov.bottomRightCorner<kLastTwo, kLastTwo>();
+    P.bottomLeftCorner(3 * n, kPoseDof) = -Gc.leftCols<kPoseDof>();
+    P.block(kPoses, kPoseDof, 3 * n, kLastTwo) = -Gc.rightCols<kLastTwo>();
+    P.topRightCorner(kPoses, 3 * n) = P.bottomLeftCorner(3 * n, kPoses).transpose();
     return 0.5 * (P + P.transpose());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_slam/MonoSlam.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -9,6 +10,7 @@
 #include "LandmarkFinder.h"
 #include "MapKeeper.h"
 #include "StartWindow.h"
+#include "monoslam_models/quaternion.h"
 
 namespace monoslam
 {
@@ -97,10 +99,13 @@ struct MonoSlam::Impl
     int poorFrames = 0;
     std::optional<StartWindow> window;
 
+    std::optional<MetricPose> target;  ///< what the world was defined by
+    Eigen::Matrix<double, 6, 6> P_first = Eigen::Matrix<double, 6, 6>::Zero();  ///< of its pose
     double sigmaFloor2_px2 = 0.0;  ///< of a match, as the residuals say
 
     void adaptNoise(const FrameReport& report);
     void refineStart(const FrameContext& context, const FrameReport& report);
+    [[nodiscard]] Eigen::Matrix<double, 7, 7> worldCovariance(const Vector7d& pose) const;
     [[nodiscard]] double birthSigma_px() const
     {
         return options.search.subpixel ? 2.0 * options.search.sigma_floor_px
@@ -136,14 +141,15 @@ std::string MonoSlam::Impl::start(const FrameContext& context, const cv::Mat& im
     Matrix13d P_v = kExact * Matrix13d::Identity();
     double rho0 = init.rho0;
     double sigma_rho = init.sigma_rho;
-    std::optional<MetricPose> target;
     if (options.metricStart.method != MetricStartMethod::None)
     {
         const MetricStartResult result = findMetricPose(image, camera, options.metricStart);
         if (!result.found) return result.reason;
         target = result.found;
         x_v.head<7>() = target->pose;
-        P_v.topLeftCorner<7, 7>() = target->P;
+        Matrix13d P_target = Matrix13d::Zero();
+        P_target.topLeftCorner<7, 7>() = target->P;
+        P_first = poseCovariance(x_v, P_target);
         Eigen::Vector3d middle = Eigen::Vector3d::Zero();
         for (const auto& p : target->points_m) middle += p / static_cast<double>(target->points_m.size());
         rho0 = 1.0 / (middle - target->pose.head<3>()).norm();
@@ -238,12 +244,31 @@ void MonoSlam::Impl::judge(FrameReport& report)
     report.remark = "only " + std::to_string(report.matched) + " landmarks matched";
 }
 
+/** What the uncertainty of the first pose in the target's world adds to that of a later pose:
+ *  dr = dr0 + phi x (r - r0), dtheta = R' phi, phi = R0 dtheta0. The filter holds the first pose fixed,
+ *  because a common error of the whole map is what an EKF linearises worst. */
+Eigen::Matrix<double, 7, 7> MonoSlam::Impl::worldCovariance(const Vector7d& pose) const
+{
+    const Eigen::Matrix3d R_w0 = rotationMatrix(target->pose.tail<4>());
+    const Eigen::Matrix3d R_wc = rotationMatrix(pose.tail<4>());
+    const Eigen::Vector3d d = pose.head<3>() - target->pose.head<3>();
+    Eigen::Matrix4d QL;
+    (void)quaternionProduct(pose.tail<4>(), Eigen::Vector4d::UnitX(), nullptr, &QL);
+    Eigen::Matrix<double, 7, 6> J = Eigen::Matrix<double, 7, 6>::Zero();
+    J.topLeftCorner<3, 3>().setIdentity();
+    for (Eigen::Index k = 0; k < 3; ++k)
+        J.block<3, 1>(camera_state::kPosition, 3 + k) = R_w0.col(k).cross(d);
+    J.bottomRightCorner<4, 3>() = 0.5 * QL.rightCols<3>() * R_wc.transpose() * R_w0;
+    return J * P_first * J.transpose();
+}
+
 void MonoSlam::Impl::summarize(FrameReport& report) const
 {
     if (mixture.empty()) return;
     const Belief& belief = best(mixture);
     report.x_v = belief.camera();
     report.P_v = belief.P.topLeftCorner<13, 13>();
+    if (target) report.P_v.topLeftCorner<7, 7>() += worldCovariance(report.x_v.head<7>());
     report.landmarks = static_cast<int>(belief.landmarks.size());
     report.visible = static_cast<int>(report.associations.size());
     report.candidates = keeper.candidates();
@@ -254,7 +279,7 @@ void MonoSlam::Impl::summarize(FrameReport& report) const
 MonoSlam::MonoSlam(MonoSlamOptions options, const Camera& camera,
                    std::unique_ptr<Associator> associator, unsigned seed, FilterEngine engine)
     : impl_(new Impl{options, camera, std::move(associator), std::move(engine), std::mt19937(seed),
-                     MapKeeper(options, camera, seed), {}, 0.0, false, 0, {}, 0.0})
+                     MapKeeper(options, camera, seed), {}, 0.0, false, 0, {}, {}, {}, 0.0})
 {
 }
 MonoSlam::~MonoSlam() = default;

@@ -92,6 +92,7 @@ StartOptions StartOptions::from(ConfigSection section)
     o.max_frames = section.get("max_frames", o.max_frames, {4, 100000});
     o.min_sightings = section.get("min_sightings", o.min_sightings, {2, 100});
     o.min_inlier_ratio = section.get("min_inlier_ratio", o.min_inlier_ratio, kRatio);
+    o.accept_inlier_ratio = section.get("accept_inlier_ratio", o.accept_inlier_ratio, kRatio);
     o.good_inlier_ratio = section.get("good_inlier_ratio", o.good_inlier_ratio, kRatio);
     section.rejectUnknownKeys();
     return o;

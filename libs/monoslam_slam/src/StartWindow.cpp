@@ -2,6 +2,7 @@
 #include "StartWindow.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +21,15 @@ constexpr double kUnitSigma = 1e-3; ///< relative std of a free unit, held by th
 constexpr int kLeastLandmarks = 8;
 constexpr std::size_t kLeastViews = 4;
 constexpr std::size_t kFirstLook = 8;
-constexpr Eigen::Index kTwoPoses = 12;
+constexpr Eigen::Index kPoses = 18;
+constexpr double kFarRho = 1e-4;
+
+Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v)
+{
+    Eigen::Matrix3d V;
+    V << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return V;
+}
 
 double inlierRatio(const SmoothedWindow& smoothed)
 {
@@ -216,17 +225,56 @@ std::optional<Belief> StartWindow::refine(const Belief& belief, const LandmarkRe
     const SmoothedWindow smoothed = smooth(window);
     lastInlierRatio_ = smoothed.usable ? inlierRatio(smoothed) : 0.0;
     fprintf(stderr,"refine at %zu par %.2f n %zu obs %zu inl %.3f chi2 %.3f cost/obs %.3f it %d open %d\n",views_.size(),parallax_deg,ids.size(),window.observations.size(),lastInlierRatio_,smoothed.meanChi2,smoothed.cost/window.observations.size(),smoothed.iterations,open_);
-    if (!smoothed.usable) return std::nullopt;
+    if (!smoothed.usable || lastInlierRatio_ < options_.accept_inlier_ratio) return std::nullopt;
     const std::vector<bool> keep = trusted(window, smoothed);
     if (std::count(keep.begin(), keep.end(), true) < kLeastLandmarks) return std::nullopt;
     for (std::size_t v = 0; v < chosen.size(); ++v) views_[chosen[v]].pose = smoothed.poses[v];
     return rebuild(smoothed, ids, keep, motion);
 }
 
+Eigen::MatrixXd StartWindow::fromFirstView(const SmoothedWindow& smoothed) const
+{
+    // Errors with the first view held fixed: dp - dr0 - phi x (p - r0), phi = R0 dtheta0.
+    const Eigen::Index n = smoothed.P.rows();
+    Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n);
+    const Eigen::Vector3d r0 = smoothed.poses.front().head<3>();
+    const Eigen::Matrix3d R0 = rotationMatrix(smoothed.poses.front().tail<4>());
+    const auto turned = [&](const Eigen::Vector3d& p)
+    { return Eigen::Matrix3d(crossMatrix(p - r0) * R0); };
+    const std::size_t last = smoothed.poses.size() - 1;
+    for (Eigen::Index i = 1; i <= 2; ++i)
+    {
+        const Vector7d& pose = smoothed.poses[last - 2 + static_cast<std::size_t>(i)];
+        A.block<3, 3>(6 * i, 0) = -Eigen::Matrix3d::Identity();
+        A.block<3, 3>(6 * i, 3) = turned(pose.head<3>());
+        A.block<3, 3>(6 * i + 3, 3) = -rotationMatrix(pose.tail<4>()).transpose() * R0;
+    }
+    for (std::size_t l = 0; l < smoothed.landmarks.size(); ++l)
+    {
+        const WindowLandmark& landmark = smoothed.landmarks[l];
+        const Eigen::Index at = kPoses + 3 * static_cast<Eigen::Index>(l);
+        Eigen::Matrix3d J_y_p = Eigen::Matrix3d::Identity();
+        Eigen::Vector3d p_w = landmark.y.head<3>();
+        if (landmark.kind == LandmarkKind::InverseDepth)
+        {
+            Vector6d y = landmark.y;
+            y(inverse_depth::kRho) = std::max(y(inverse_depth::kRho), kFarRho);
+            Matrix36d J_p_y;
+            p_w = toPoint(y, &J_p_y);
+            J_y_p = J_p_y.rightCols<3>().inverse();
+        }
+        A.block<3, 3>(at, 0) = -J_y_p;
+        A.block<3, 3>(at, 3) = J_y_p * turned(p_w);
+    }
+    A.topLeftCorner<6, 6>().setZero();
+    return A * smoothed.P * A.transpose();
+}
+
 Belief StartWindow::rebuild(const SmoothedWindow& smoothed, const std::vector<LandmarkId>& ids,
                             const std::vector<bool>& keep,
                             const ConstantVelocityOptions& motion) const
 {
+    const Eigen::MatrixXd P = metric_ ? fromFirstView(smoothed) : smoothed.P;
     const Vector7d& before = smoothed.poses[smoothed.poses.size() - 2];
     const Vector7d& last = smoothed.poses.back();
     const double dt_s = views_.back().t_s - views_[views_.size() - 2].t_s;
@@ -241,17 +289,17 @@ Belief StartWindow::rebuild(const SmoothedWindow& smoothed, const std::vector<La
     (void)quaternionProduct(last.tail<4>(), Eigen::Vector4d::UnitX(), nullptr, &QL);
     const Eigen::Matrix3d R_last_before =
         rotationMatrix(last.tail<4>()).transpose() * rotationMatrix(before.tail<4>());
-    Eigen::Matrix<double, 13, 12> J = Eigen::Matrix<double, 13, 12>::Zero();
-    J.block<3, 3>(camera_state::kPosition, 6).setIdentity();
-    J.block<4, 3>(camera_state::kOrientation, 9) = 0.5 * QL.rightCols<3>();
-    J.block<3, 3>(camera_state::kVelocity, 0) = -Eigen::Matrix3d::Identity() / dt_s;
-    J.block<3, 3>(camera_state::kVelocity, 6) = Eigen::Matrix3d::Identity() / dt_s;
-    J.block<3, 3>(camera_state::kAngularVelocity, 3) = -R_last_before / dt_s;
-    J.block<3, 3>(camera_state::kAngularVelocity, 9) = Eigen::Matrix3d::Identity() / dt_s;
+    Eigen::Matrix<double, 13, 18> J = Eigen::Matrix<double, 13, 18>::Zero();
+    J.block<3, 3>(camera_state::kPosition, 12).setIdentity();
+    J.block<4, 3>(camera_state::kOrientation, 15) = 0.5 * QL.rightCols<3>();
+    J.block<3, 3>(camera_state::kVelocity, 6) = -Eigen::Matrix3d::Identity() / dt_s;
+    J.block<3, 3>(camera_state::kVelocity, 12) = Eigen::Matrix3d::Identity() / dt_s;
+    J.block<3, 3>(camera_state::kAngularVelocity, 9) = -R_last_before / dt_s;
+    J.block<3, 3>(camera_state::kAngularVelocity, 15) = Eigen::Matrix3d::Identity() / dt_s;
 
     // The velocities are the mean ones of the last step: the step's own noise is added.
     const Matrix13d Q = predictConstantVelocity(x_v, dt_s, motion).Q;
-    Matrix13d P_v = J * smoothed.P.topLeftCorner<kTwoPoses, kTwoPoses>() * J.transpose();
+    Matrix13d P_v = J * P.topLeftCorner<kPoses, kPoses>() * J.transpose();
     P_v.bottomRightCorner<6, 6>() += Q.bottomRightCorner<6, 6>();
     Belief belief = Belief::ofCamera(x_v, P_v);
 
@@ -260,19 +308,19 @@ Belief StartWindow::rebuild(const SmoothedWindow& smoothed, const std::vector<La
     {
         if (!keep[l]) continue;
         const WindowLandmark& landmark = smoothed.landmarks[l];
-        const Eigen::Index at = kTwoPoses + 3 * static_cast<Eigen::Index>(l);
+        const Eigen::Index at = kPoses + 3 * static_cast<Eigen::Index>(l);
         const Eigen::Index size = landmarkSize(landmark.kind);
         const Eigen::Index skip = size - 3;  // the fixed anchor of an inverse depth
         const Eigen::Index n = belief.size();
         Eigen::MatrixXd P_yx = Eigen::MatrixXd::Zero(size, n);
         Eigen::MatrixXd P_yy = Eigen::MatrixXd::Zero(size, size);
-        P_yy.bottomRightCorner<3, 3>() = smoothed.P.block<3, 3>(at, at);
-        P_yx.block(skip, 0, 3, 13) = smoothed.P.block(at, 0, 3, kTwoPoses) * J.transpose();
+        P_yy.bottomRightCorner<3, 3>() = P.block<3, 3>(at, at);
+        P_yx.block(skip, 0, 3, 13) = P.block(at, 0, 3, kPoses) * J.transpose();
         Eigen::Index offset = 13;
         for (std::size_t i = 0; i < columns.size(); ++i)
         {
             const Eigen::Index otherSize = belief.landmarks[i].size();
-            P_yx.block<3, 3>(skip, offset + otherSize - 3) = smoothed.P.block<3, 3>(at, columns[i]);
+            P_yx.block<3, 3>(skip, offset + otherSize - 3) = P.block<3, 3>(at, columns[i]);
             offset += otherSize;
         }
         columns.push_back(at);

@@ -64,6 +64,8 @@ class StartWindow
                                     std::vector<LandmarkId>& ids) const;
     [[nodiscard]] std::vector<bool> trusted(const Window& window,
                                             const SmoothedWindow& smoothed) const;
+    /** Covariance with the first view's errors taken out: the world is where that camera stood. */
+    [[nodiscard]] Eigen::MatrixXd fromFirstView(const SmoothedWindow& smoothed) const;
     [[nodiscard]] Belief rebuild(const SmoothedWindow& smoothed,
                                  const std::vector<LandmarkId>& ids, const std::vector<bool>& keep,
                                  const ConstantVelocityOptions& motion) const;

@@ -57,8 +57,8 @@ struct SmoothedWindow
     double cost = 0.0;            ///< halved squared sigmas, each cut at the outlier threshold
     double meanChi2 = 0.0;        ///< of the inliers, 2 when all is well
     int iterations = 0;
-    /** Covariance of (dr, dtheta of the last view but one; the same of the last; 3 numbers of each
-     *  landmark). */
+    /** Covariance of (dr, dtheta) of the first view, of the last but one and of the last, then of the
+     *  three free numbers of each landmark. */
     Eigen::MatrixXd P;
 };
 
