@@ -190,7 +190,7 @@ bool StartWindow::due(const Belief& belief) const
 SmoothedWindow StartWindow::smooth(const Window& window) const
 {
     SmoothedWindow found = smoothWindow(camera_, window);
-    if (metric_ || inlierRatio(found) >= options_.good_inlier_ratio) return found;
+    if (found.usable && inlierRatio(found) >= options_.good_inlier_ratio) return found;
     std::vector<Window> others{flatGuess(window)};
     if (auto twoView = twoViewGuess(window, camera_)) others.push_back(std::move(*twoView));
     for (const Window& other : others)
