@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace monoslam
@@ -13,14 +12,19 @@ namespace
 {
 namespace fs = std::filesystem;
 
+/** Cells of a CSV line; a quoted one may hold commas. */
 std::vector<std::string> split(const std::string& line)
 {
-    std::vector<std::string> cells;
-    std::istringstream in(line);
-    for (std::string cell; std::getline(in, cell, ',');)
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (const char c : line)
     {
-        while (!cell.empty() && (cell.back() == '\r' || cell.back() == ' ')) cell.pop_back();
-        cells.push_back(cell);
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            cells.emplace_back();
+        else if (c != '\r')
+            cells.back() += c;
     }
     return cells;
 }

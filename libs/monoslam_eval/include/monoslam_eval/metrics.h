@@ -49,6 +49,10 @@ struct Similarity
 [[nodiscard]] MONOSLAM_EVAL_EXPORT Similarity align(const std::vector<PosePair>& pairs,
                                                     Alignment alignment);
 
+/** Takes the first estimated pose to the first true one, with the scale of the Sim3 fit: the frame
+ *  in which the covariance of a start without target is meant. */
+[[nodiscard]] MONOSLAM_EVAL_EXPORT Similarity alignFirstPose(const std::vector<PosePair>& pairs);
+
 /** Errors of a trajectory under one alignment. */
 struct TrajectoryErrors
 {
