@@ -54,7 +54,7 @@ void printTable(std::ostream& out, const Table& table)
     {
         out << std::left << std::setw(labelWidth) << table.columns.front()[row].label << std::right;
         for (std::size_t i = 0; i < table.names.size(); ++i)
-            out << std::setw(widths[i]) << rounded(table.columns[i][row]);
+            out << "  " << std::setw(widths[i] - 2) << rounded(table.columns[i][row]);
         out << '\n';
     }
 }
