@@ -13,8 +13,9 @@ namespace monoslam
 {
 namespace
 {
-/** Bend of the projection that one more iteration would remove [px]. */
-constexpr double kLinearEnough_px = 0.05;
+/** Movement in the image, from where the projection was linearised to the posterior, below which
+ *  its bend does not matter [px]: a turn by c pixels bends it by about c^2 / 1000. */
+constexpr double kLinearEnough_px = 5.0;
 
 double threadTime_ms()
 {
@@ -54,11 +55,11 @@ bool updatable(const Prediction& prediction, std::vector<PixelMeasurement> pixel
 
 /** Prediction of the prior linearised at x: its h is h(x) + H (x_prior - x), so that z - h is the
  *  innovation of an iterated EKF. */
-Prediction predictAt(const FrameView& view, const Belief& prior, const Eigen::VectorXd& x)
+Prediction predictAt(const FrameView& view, Belief& prior, Eigen::VectorXd x)
 {
-    Belief moved = prior;
-    moved.x = x;
-    Prediction prediction = view.predict(moved);
+    prior.x.swap(x);  // for a moment: a copy would copy the covariance too
+    Prediction prediction = view.predict(prior);
+    prior.x.swap(x);
     const Eigen::VectorXd back = prior.x - x;
     for (PredictedLandmark& row : prediction.rows)
         row.h += row.H_v * back.head<camera_state::kSize>() +
@@ -84,24 +85,18 @@ std::vector<PixelMeasurement> onRowsOf(const Prediction& to, const Prediction& f
     return moved;
 }
 
-/** How far, at the posterior, the pixel that the first linearisation expects is from the true
- *  projection [px], worst landmark. */
-double largestBend_px(const Prediction& first, const std::vector<PixelMeasurement>& pixels,
-                      const Prediction& again, const std::vector<PixelMeasurement>& moved,
-                      const Belief& prior, const Belief& posterior)
+/** How far the measured landmarks move in the image between two states [px], the farthest. */
+double largestShift_px(const Prediction& prediction, const std::vector<PixelMeasurement>& pixels,
+                       const Eigen::VectorXd& d)
 {
-    const Eigen::VectorXd d = posterior.x - prior.x;
-    const auto expected = [&d](const PredictedLandmark& row)
-    {
-        return Eigen::Vector2d(row.h + row.H_v * d.head<camera_state::kSize>() +
-                               row.H_y.leftCols(row.size) * d.segment(row.offset, row.size));
-    };
     double largest = 0.0;
-    for (std::size_t i = 0; i < pixels.size(); ++i)
+    for (const PixelMeasurement& pixel : pixels)
     {
-        const auto& before = first.rows[static_cast<std::size_t>(pixels[i].row)];
-        const auto& after = again.rows[static_cast<std::size_t>(moved[i].row)];
-        largest = std::max(largest, (expected(before) - expected(after)).norm());
+        const auto& row = prediction.rows[static_cast<std::size_t>(pixel.row)];
+        const Eigen::Vector2d shift =
+            row.H_v * d.head<camera_state::kSize>() +
+            row.H_y.leftCols(row.size) * d.segment(row.offset, row.size);
+        largest = std::max(largest, shift.norm());
     }
     return largest;
 }
@@ -143,7 +138,7 @@ std::vector<int> BatchAssociator::decide(const AssociationProblem& problem,
     return chosen;
 }
 
-std::vector<int> BatchAssociator::choose(BatchSearch& search, const Belief& prior,
+std::vector<int> BatchAssociator::choose(BatchSearch& search, Belief& prior,
                                         const FrameView& view) const
 {
     LapClock clock;
@@ -156,7 +151,8 @@ std::vector<int> BatchAssociator::choose(BatchSearch& search, const Belief& prio
     std::vector<int> accepted = first;
     if (options_.max_iterations > 1 && known.size() >= kPoseFixingPairs)
     {
-        search.moveTo(predictAt(view, prior, ekfUpdateMean(prior, search.prediction(), known)));
+        search.linearizedAt = ekfUpdateMean(prior, search.prediction(), known);
+        search.moveTo(predictAt(view, prior, search.linearizedAt));
         clock.lap(counters.updateMs);
         accepted = decide(search.problem(), counters);
         clock.lap(counters.selectMs);
@@ -178,22 +174,24 @@ std::vector<int> BatchAssociator::choose(BatchSearch& search, const Belief& prio
     return chosen;
 }
 
-Belief BatchAssociator::update(const Belief& prior, const Prediction& prediction,
-                               const std::vector<PixelMeasurement>& pixels, const FrameView& view,
-                               AssociationCounters& counters) const
+Belief BatchAssociator::update(Belief& prior, BatchSearch& search,
+                               const std::vector<PixelMeasurement>& pixels,
+                               const FrameView& view) const
 {
     int faults = 0;
-    Belief posterior = view.engine.update(prior, prediction, pixels, &faults);
+    Belief posterior = view.engine.update(prior, search.prediction(), pixels, &faults);
+    Eigen::VectorXd linearizedAt = search.linearizedAt.size() > 0 ? search.linearizedAt : prior.x;
     for (int iteration = 2; iteration < options_.max_iterations; ++iteration)
     {
+        const Eigen::VectorXd step = posterior.x - linearizedAt;
+        if (largestShift_px(search.prediction(), pixels, step) < kLinearEnough_px) break;
         const Prediction again = predictAt(view, prior, posterior.x);
-        const auto moved = onRowsOf(again, prediction, pixels);
+        const auto moved = onRowsOf(again, search.prediction(), pixels);
         if (moved.size() < pixels.size()) break;  // a landmark left the image: keep what we have
-        if (largestBend_px(prediction, pixels, again, moved, prior, posterior) < kLinearEnough_px)
-            break;
+        linearizedAt = posterior.x;
         posterior = view.engine.update(prior, again, moved, &faults);
     }
-    counters.faults += faults;
+    search.counters.faults += faults;
     return posterior;
 }
 
@@ -217,7 +215,7 @@ Correction BatchAssociator::correct(Mixture predicted, const FrameView& view,
     if (!pixels.empty())
     {
         LapClock updateClock;
-        belief = update(belief, search.prediction(), pixels, view, counters);
+        belief = update(belief, search, pixels, view);
         updateClock.lap(counters.updateMs);
     }
     return {std::move(predicted), std::move(search.associations), counters};

@@ -39,6 +39,7 @@ class BatchSearch
     /** Records of every row of the prediction, and the search counters. */
     std::vector<Association> associations;
     AssociationCounters counters;
+    Eigen::VectorXd linearizedAt;  ///< state at which prediction() is linearised; empty: the prior
 
    private:
     [[nodiscard]] SearchRegion ownRegion(Eigen::Index row) const;

@@ -87,6 +87,17 @@ double residualRms(const Belief& belief, const Camera& camera,
 
 struct MonoSlam::Impl
 {
+    Impl(MonoSlamOptions o, const Camera& c, std::unique_ptr<Associator> a, FilterEngine e,
+         unsigned seed)
+        : options(std::move(o)),
+          camera(c),
+          associator(std::move(a)),
+          engine(std::move(e)),
+          rng(seed),
+          keeper(options, c, seed)
+    {
+    }
+
     MonoSlamOptions options;
     Camera camera;
     std::unique_ptr<Associator> associator;
@@ -101,6 +112,7 @@ struct MonoSlam::Impl
 
     std::optional<MetricPose> target;  ///< what the world was defined by
     Eigen::Matrix<double, 6, 6> P_first = Eigen::Matrix<double, 6, 6>::Zero();  ///< of its pose
+    double rejectedShare = 0.0;    ///< running mean
     double sigmaFloor2_px2 = 0.0;  ///< of a match, as the residuals say
 
     void adaptNoise(const FrameReport& report);
@@ -238,10 +250,25 @@ void MonoSlam::Impl::judge(FrameReport& report)
 {
     report.state = TrackingState::Tracking;
     poorFrames = report.matched < options.map.min_matched ? poorFrames + 1 : 0;
+    const AssociationCounters& counters = report.counters;
+    if (counters.pairs > 0)
+        rejectedShare += kForget * (static_cast<double>(counters.rejected) /
+                                        static_cast<double>(counters.pairs) -
+                                    rejectedShare);
+    const auto degraded = [&report](const std::string& why)
+    {
+        report.state = TrackingState::Degraded;
+        report.remark = why;
+    };
+    if (window && window->lastInlierRatio() < options.start.accept_inlier_ratio)
+        degraded("no estimate explains the pixels of the first seconds");
+    if (rejectedShare > options.map.degraded_rejected_share)
+        degraded("many pairs rejected over the last frames");
+    if (std::sqrt(sigmaFloor2_px2) > options.map.degraded_residual_px)
+        degraded("residuals of " + std::to_string(std::sqrt(sigmaFloor2_px2)) + " px");
     if (poorFrames == 0) return;
-    report.state =
-        poorFrames >= options.map.lost_after ? TrackingState::Lost : TrackingState::Degraded;
-    report.remark = "only " + std::to_string(report.matched) + " landmarks matched";
+    degraded("only " + std::to_string(report.matched) + " landmarks matched");
+    if (poorFrames >= options.map.lost_after) report.state = TrackingState::Lost;
 }
 
 /** What the uncertainty of the first pose in the target's world adds to that of a later pose:
@@ -278,8 +305,8 @@ void MonoSlam::Impl::summarize(FrameReport& report) const
 
 MonoSlam::MonoSlam(MonoSlamOptions options, const Camera& camera,
                    std::unique_ptr<Associator> associator, unsigned seed, FilterEngine engine)
-    : impl_(new Impl{options, camera, std::move(associator), std::move(engine), std::mt19937(seed),
-                     MapKeeper(options, camera, seed), {}, 0.0, false, 0, {}, {}, {}, 0.0})
+    : impl_(std::make_unique<Impl>(std::move(options), camera, std::move(associator),
+                                   std::move(engine), seed))
 {
 }
 MonoSlam::~MonoSlam() = default;

@@ -21,6 +21,7 @@ DetectionOptions detectionFrom(ConfigSection section)
     o.quality = section.get("quality", o.quality, kRatio);
     o.minResponse = section.get("min_response", o.minResponse, kFromZero);
     o.maxSelfSimilarity = section.get("max_self_similarity", o.maxSelfSimilarity, kRatio);
+    o.maxCells = section.get("max_cells", o.maxCells, {1, 10000});
     o.similarityRadius_px = section.get("similarity_radius_px", o.similarityRadius_px, {4.0, 60.0});
     section.rejectUnknownKeys();
     return o;
@@ -111,6 +112,9 @@ MapOptions MapOptions::from(ConfigSection section)
     o.strike_frames = section.get("strike_frames", o.strike_frames, {1, 10000});
     o.convert_linearity = section.get("convert_linearity", o.convert_linearity, {0.0, 10.0});
     o.min_matched = section.get("min_matched", o.min_matched, {1, 1000});
+    o.degraded_rejected_share =
+        section.get("degraded_rejected_share", o.degraded_rejected_share, kRatio);
+    o.degraded_residual_px = section.get("degraded_residual_px", o.degraded_residual_px, kFromZero);
     o.lost_after = section.get("lost_after", o.lost_after, {1, 10000});
     section.rejectUnknownKeys();
     return o;

@@ -224,7 +224,6 @@ std::optional<Belief> StartWindow::refine(const Belief& belief, const LandmarkRe
     if (static_cast<int>(ids.size()) < kLeastLandmarks) return std::nullopt;
     const SmoothedWindow smoothed = smooth(window);
     lastInlierRatio_ = smoothed.usable ? inlierRatio(smoothed) : 0.0;
-    fprintf(stderr,"refine at %zu par %.2f n %zu obs %zu inl %.3f chi2 %.3f cost/obs %.3f it %d open %d\n",views_.size(),parallax_deg,ids.size(),window.observations.size(),lastInlierRatio_,smoothed.meanChi2,smoothed.cost/window.observations.size(),smoothed.iterations,open_);
     if (!smoothed.usable || lastInlierRatio_ < options_.accept_inlier_ratio) return std::nullopt;
     const std::vector<bool> keep = trusted(window, smoothed);
     if (std::count(keep.begin(), keep.end(), true) < kLeastLandmarks) return std::nullopt;
@@ -274,7 +273,13 @@ Belief StartWindow::rebuild(const SmoothedWindow& smoothed, const std::vector<La
                             const std::vector<bool>& keep,
                             const ConstantVelocityOptions& motion) const
 {
-    const Eigen::MatrixXd P = metric_ ? fromFirstView(smoothed) : smoothed.P;
+    Eigen::MatrixXd P = metric_ ? fromFirstView(smoothed) : smoothed.P;
+    // The views left out saw the landmarks too: what the filter had learnt from them is not lost.
+    const double share =
+        static_cast<double>(smoothed.poses.size()) / static_cast<double>(views_.size());
+    const Eigen::Index landmarks = P.rows() - kPoses;
+    P.bottomRows(landmarks) *= std::sqrt(share);
+    P.rightCols(landmarks) *= std::sqrt(share);
     const Vector7d& before = smoothed.poses[smoothed.poses.size() - 2];
     const Vector7d& last = smoothed.poses.back();
     const double dt_s = views_.back().t_s - views_[views_.size() - 2].t_s;

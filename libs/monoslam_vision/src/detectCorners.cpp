@@ -2,6 +2,7 @@
 #include "monoslam_vision/detectCorners.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
@@ -100,13 +101,16 @@ std::vector<Corner> detectCorners(const PreparedImage& image,
     std::vector<Corner> corners;
     std::vector<Eigen::Vector2d> occupied = taken;
     std::vector<Cell> cells = makeGrid(image, taken, options);
+    int budget = taken.empty() ? std::numeric_limits<int>::max() : options.maxCells;
     for (int round = 0; round < options.maxPerCell; ++round)
         for (const std::size_t index : emptiestFirst(cells, rng))
         {
             if (static_cast<int>(corners.size()) >= wanted) return corners;
             Cell& cell = cells[index];
+            if (budget <= 0) return corners;
             if (cell.count > round || cell.box.width < kBlock || cell.box.height < kBlock)
                 continue;
+            --budget;
             const cv::Mat map =
                 responses(image, cell.box, occupied, options.minDistance_px);
             double best = 0.0;

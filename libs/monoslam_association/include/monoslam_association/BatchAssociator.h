@@ -66,13 +66,14 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
                                           AssociationCounters& counters) const;
 
     /** Both stages of search and decision: index of the accepted candidate of every pair found. */
-    [[nodiscard]] std::vector<int> choose(BatchSearch& search, const Belief& prior,
+    [[nodiscard]] std::vector<int> choose(BatchSearch& search, Belief& prior,
                                           const FrameView& view) const;
 
-    /** EKF update, iterated while the projection bends between prior and posterior. */
-    [[nodiscard]] Belief update(const Belief& prior, const Prediction& prediction,
+    /** EKF update, iterated while the projection bends between prior and posterior.
+     *  The prior is as before when it returns. */
+    [[nodiscard]] Belief update(Belief& prior, BatchSearch& search,
                                 const std::vector<PixelMeasurement>& pixels,
-                                const FrameView& view, AssociationCounters& counters) const;
+                                const FrameView& view) const;
 
     BatchOptions options_;
     double gate_;

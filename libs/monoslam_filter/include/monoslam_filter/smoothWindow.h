@@ -42,8 +42,8 @@ struct Window
 
 struct WindowOptions
 {
-    int maxIterations = 15;
-    double convergence = 1e-4;     ///< relative decrease of the cost at which to stop
+    int maxIterations = 10;
+    double convergence = 1e-3;     ///< relative decrease of the cost at which to stop
     double huber_sigmas = 2.0;     ///< residuals beyond are weighted down
     double outlierChi2 = 13.8155;  ///< chi2(2, 0.999): beyond, the pair is no measurement
 };

@@ -94,6 +94,9 @@ struct MONOSLAM_SLAM_EXPORT MapOptions
     int strike_frames = 10;
     double convert_linearity = 0.02;  ///< inverse depth to point below this index; 0 = never
     int min_matched = 5;           ///< fewer: the frame only predicts
+    double degraded_rejected_share = 0.3;  ///< of the pairs, running mean, beyond which the state
+                                           ///< says degraded
+    double degraded_residual_px = 0.75;    ///< the same for the noise that the residuals show
     int lost_after = 5;            ///< such frames in a row until the state says lost
 
     static MapOptions from(ConfigSection section);

@@ -23,6 +23,7 @@ struct DetectionOptions
     double maxSelfSimilarity = 0.9;  ///< ZNCC with its own surroundings; 1 = off
     double similarityRadius_px = 12.0;
     int half_px = 6;                 ///< of the patch
+    int maxCells = 12;               ///< looked into per call once some landmarks exist
 };
 
 struct Corner
