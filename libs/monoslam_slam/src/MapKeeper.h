@@ -42,6 +42,9 @@ class MapKeeper
     /** Forgets every landmark that is not in the belief, and all candidates. */
     void keepOnly(const Belief& belief);
 
+    /** Median inverse distance of the landmarks that have been seen often, else rho0. */
+    [[nodiscard]] double medianRho(const Belief& belief) const { return priorNow(belief).rho0; }
+
     /** While starting, landmarks enter undelayed only. */
     void setStarting(bool starting) { starting_ = starting; }
 

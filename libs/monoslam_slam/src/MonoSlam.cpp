@@ -115,6 +115,8 @@ struct MonoSlam::Impl
     double rejectedShare = 0.0;    ///< running mean
     double sigmaFloor2_px2 = 0.0;  ///< of a match, as the residuals say
 
+    bool restarted = false;
+    void restart(const FrameContext& context);
     void adaptNoise(const FrameReport& report);
     void refineStart(const FrameContext& context, const FrameReport& report);
     [[nodiscard]] Eigen::Matrix<double, 7, 7> worldCovariance(const Vector7d& pose) const;
@@ -246,6 +248,28 @@ void MonoSlam::Impl::refineStart(const FrameContext& context, const FrameReport&
     keeper.setStarting(window->open());
 }
 
+/** A new map around the last pose, in the old map's median depth, when nothing matches any more. */
+void MonoSlam::Impl::restart(const FrameContext& context)
+{
+    const Belief& old = best(mixture);
+    const double rho0 = keeper.medianRho(old);
+    Vector13d x_v = old.camera();
+    x_v.tail<6>().setZero();
+    Matrix13d P_v = kExact * Matrix13d::Identity();
+    const InitializationOptions& init = options.initialization;
+    const double sigma_v = init.sigma_v / (init.rho0 > 0.0 ? rho0 / init.rho0 : 1.0);
+    P_v.diagonal().segment<3>(camera_state::kVelocity).setConstant(sigma_v * sigma_v);
+    P_v.diagonal()
+        .segment<3>(camera_state::kAngularVelocity)
+        .setConstant(init.sigma_omega_radps * init.sigma_omega_radps);
+    mixture = {{Belief::ofCamera(x_v, P_v), 0.0}};
+    keeper.keepOnly(best(mixture));
+    mixture = keeper.addFirst(std::move(mixture), context, rho0, init.relative_sigma_rho * rho0);
+    if (!options.start.parallax_deg.empty()) window.emplace(options.start, camera, false);
+    restarted = true;
+    poorFrames = 0;
+}
+
 void MonoSlam::Impl::judge(FrameReport& report)
 {
     report.state = TrackingState::Tracking;
@@ -266,6 +290,7 @@ void MonoSlam::Impl::judge(FrameReport& report)
         degraded("many pairs rejected over the last frames");
     if (std::sqrt(sigmaFloor2_px2) > options.map.degraded_residual_px)
         degraded("residuals of " + std::to_string(std::sqrt(sigmaFloor2_px2)) + " px");
+    if (restarted) degraded("restarted after a loss: pose and scale since then are guesses");
     if (poorFrames == 0) return;
     degraded("only " + std::to_string(report.matched) + " landmarks matched");
     if (poorFrames >= options.map.lost_after) report.state = TrackingState::Lost;
@@ -335,6 +360,7 @@ FrameReport MonoSlam::process(const Frame& frame)
     {
         impl_->track(context, dt_s, report, clock);
         impl_->judge(report);
+        if (report.state == TrackingState::Lost) impl_->restart(context);
     }
     impl_->refineStart(context, report);
     report.times.map_ms = clock.lap();

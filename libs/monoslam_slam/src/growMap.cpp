@@ -213,9 +213,11 @@ Mixture MapKeeper::addNew(Mixture mixture, const FrameContext& frame)
         urgent = std::max(0, rule.hybrid_min_measured - matchedNow_ - added_);
     if (std::max(wanted, urgent) < kWorthDetecting * options_.map.measured_target) return mixture;
 
-    const auto corners =
-        detectCorners(*frame.image, takenPixels(best(mixture)), std::max(wanted, urgent),
-                      options_.detection, strongest_, rng_);
+    DetectionOptions detection = options_.detection;
+    if (matchedNow_ < rule.hybrid_min_measured)  // starving: time does not matter now
+        detection.maxCells = detection.gridColumns * detection.gridRows * detection.maxPerCell;
+    const auto corners = detectCorners(*frame.image, takenPixels(best(mixture)),
+                                       std::max(wanted, urgent), detection, strongest_, rng_);
     const UndelayedPrior prior = priorNow(best(mixture));
     std::vector<Eigen::Vector2d> delayed;
     for (const Corner& corner : corners)
