@@ -9,4 +9,10 @@ apps/install-packages.sh
 cmake --preset release -D MONOSLAM_BUILD_TESTS=OFF
 cmake --build --preset release
 
-build/release/bin/mono-slam config/default.ini --output "$output" --pictures --force
+build/release/bin/mono-slam config/desk.ini --output "$output" --pictures --force
+echo
+build/release/bin/mono-slam-eval --groundtruth datasets/desk/groundtruth.txt "$output"
+echo
+echo "pictures:"
+find "$output" \( -name '*top*.png' -o -name '*top*.jpg' \) | sort
+find "$output" \( -name '*.png' -o -name '*.jpg' \) ! -name '*top*' | sort | sed -n '1p;$p'

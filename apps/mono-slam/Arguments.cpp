@@ -3,16 +3,20 @@
 
 #include <tclap/CmdLine.h>
 
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 namespace monoslam
 {
 Arguments parseArguments(int argc, char** argv)
 {
     using Text = TCLAP::ValueArg<std::string>;
     TCLAP::CmdLine cmd("Path and map from a rawlog of one moving camera", ' ', MONOSLAM_VERSION);
-    TCLAP::UnlabeledValueArg<std::string> config("config", "Options; see --write-default-config",
-                                                 false, "", "CONFIG.ini", cmd);
-    TCLAP::UnlabeledValueArg<std::string> rawlog("rawlog", "Instead of [rawlog] file", false, "",
-                                                 "RAWLOG", cmd);
+    // One list: TCLAP knows no two optional unlabelled arguments.
+    TCLAP::UnlabeledMultiArg<std::string> files(
+        "files", "Options (see --write-default-config) and the rawlog, instead of [rawlog] file",
+        false, "CONFIG.ini [RAWLOG]", cmd);
     Text output("", "output", "Folder for all outputs, instead of [output] directory", false, "",
                 "DIR", cmd);
     TCLAP::MultiArg<std::string> set("", "set", "Overrides one key of the ini", false,
@@ -27,8 +31,11 @@ Arguments parseArguments(int argc, char** argv)
     cmd.parse(argc, argv);
 
     Arguments a;
-    a.configFile = config.getValue();
-    a.rawlog = rawlog.getValue();
+    const std::vector<std::string>& names = files.getValue();
+    if (names.size() > 2)
+        throw std::invalid_argument("one CONFIG.ini and one RAWLOG at most; not " + names[2]);
+    if (!names.empty()) a.configFile = names[0];
+    if (names.size() > 1) a.rawlog = names[1];
     a.output = output.getValue();
     a.settings = set.getValue();
     a.robotPath = robotPath.getValue();

@@ -43,7 +43,7 @@ void rejectUnknownSections(const CConfigFileMemory& file, const std::string& fil
 {
     std::set<std::string> known{"rawlog",       "camera", "output",       "motion", "search",
                                 "detection",    "map",    "metric_start", "filter", "association",
-                                "initialization"};
+                                "initialization", "start"};
     for (const auto& name : associatorNames()) known.insert("association." + name);
     std::vector<std::string> shipped, present;
     CConfigFileMemory(std::string(defaultConfig())).getAllSections(shipped);

@@ -6,10 +6,9 @@
 
 int main(int argc, char** argv)
 {
-    const monoslam::Arguments arguments = monoslam::parseArguments(argc, argv);
     try
     {
-        return monoslam::run(arguments);
+        return monoslam::run(monoslam::parseArguments(argc, argv));
     }
     catch (const std::exception& e)
     {

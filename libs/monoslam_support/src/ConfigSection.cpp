@@ -26,6 +26,19 @@ std::string join(const std::vector<std::string>& words)
     return joined.empty() ? "(none)" : joined;
 }
 
+/** A value ends at a ';', '#' or "//" that stands at its beginning or behind a space. */
+std::string withoutComment(std::string text)
+{
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+        const bool begins = text[i] == ';' || text[i] == '#' || text.compare(i, 2, "//") == 0;
+        if (begins && (i == 0 || std::isspace(static_cast<unsigned char>(text[i - 1]))))
+            text.resize(i);
+    }
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
+    return text;
+}
+
 /** The whole text as a number, whatever the locale of the process; no inf, no nan, no overflow. */
 template <typename Number>
 std::optional<Number> parse(const std::string& text)
@@ -174,6 +187,6 @@ std::string ConfigSection::raw(const std::string& key, bool& found)
 {
     asked_.insert(lowerCase(key));
     found = has(key);
-    return found ? file_.read_string(section_, key, "") : std::string();
+    return found ? withoutComment(file_.read_string(section_, key, "")) : std::string();
 }
 }  // namespace monoslam
