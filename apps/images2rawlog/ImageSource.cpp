@@ -26,7 +26,8 @@ Ticks ticksOfFrame(std::size_t index, double fps_hz)
 
 std::vector<std::string> imageFilesIn(const fs::path& folder)
 {
-    static const std::set<std::string> known{".jpg", ".jpeg", ".png", ".pgm", ".bmp", ".tif", ".tiff"};
+    static const std::set<std::string> known{".jpg", ".jpeg", ".png", ".pgm",
+                                             ".bmp", ".tif",  ".tiff"};
     if (!fs::is_directory(folder)) throw std::runtime_error(folder.string() + ": no such folder");
     std::vector<std::string> files;
     for (const auto& entry : fs::directory_iterator(folder))
@@ -56,7 +57,10 @@ Images readList(const fs::path& list, const fs::path& base,
     return images;
 }
 
-Images readTum(const fs::path& input) { return readList(input / "rgb.txt", input, parseSeconds); }
+Images readTum(const fs::path& input)
+{
+    return readList(input / "rgb.txt", input, parseSeconds);
+}
 
 Images readEuroc(const fs::path& input)
 {

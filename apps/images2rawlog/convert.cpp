@@ -34,9 +34,9 @@ std::vector<Ticks> timesOfAll(const SourceOptions& source)
 void checkTime(Ticks t, std::optional<Ticks> last, long frame)
 {
     if (!last || t > *last) return;
-    throw std::runtime_error("frame " + std::to_string(frame) + ": " +
-                             (t == *last ? "duplicate: the same time as the frame before it"
-                                         : "time goes backwards"));
+    throw std::runtime_error(
+        "frame " + std::to_string(frame) + ": " +
+        (t == *last ? "duplicate: the same time as the frame before it" : "time goes backwards"));
 }
 }  // namespace
 

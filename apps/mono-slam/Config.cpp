@@ -41,8 +41,8 @@ void apply(const std::string& setting, CConfigFileMemory& file)
 
 void rejectUnknownSections(const CConfigFileMemory& file, const std::string& fileName)
 {
-    std::set<std::string> known{"rawlog",       "camera", "output",       "motion", "search",
-                                "detection",    "map",    "metric_start", "filter", "association",
+    std::set<std::string> known{"rawlog",         "camera", "output",       "motion", "search",
+                                "detection",      "map",    "metric_start", "filter", "association",
                                 "initialization", "start"};
     for (const auto& name : associatorNames()) known.insert("association." + name);
     std::vector<std::string> shipped, present;
@@ -54,7 +54,8 @@ void rejectUnknownSections(const CConfigFileMemory& file, const std::string& fil
         if (known.count(section)) continue;
         std::string list;
         for (const auto& name : known) list += " " + name;
-        throw std::invalid_argument(fileName + ": unknown section [" + section + "]; known:" + list);
+        throw std::invalid_argument(fileName + ": unknown section [" + section +
+                                    "]; known:" + list);
     }
 }
 

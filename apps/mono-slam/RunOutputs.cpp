@@ -32,13 +32,13 @@ CPose3D toPose(const Vector7d& v)
 
 std::map<std::string, std::string> versions()
 {
-    return {{"monoslam", MONOSLAM_VERSION},
-            {"mrpt", mrpt::system::MRPT_getVersion()},
-            {"opencv", CV_VERSION},
-            {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." +
-                          std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                          std::to_string(EIGEN_MINOR_VERSION)},
-            {"compiler", __VERSION__}};
+    return {
+        {"monoslam", MONOSLAM_VERSION},
+        {"mrpt", mrpt::system::MRPT_getVersion()},
+        {"opencv", CV_VERSION},
+        {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
+                      "." + std::to_string(EIGEN_MINOR_VERSION)},
+        {"compiler", __VERSION__}};
 }
 }  // namespace
 
@@ -55,7 +55,8 @@ RunOutputs::RunOutputs(const Config& config, const Arguments& arguments, const R
     facts_.config = config.values;
     facts_.notes = reader.gaps();
     frames_ = std::make_unique<FrameWriters>(folder_);
-    if (!arguments.robotPath.empty()) robotPath_ = std::make_unique<OutputFile>(arguments.robotPath);
+    if (!arguments.robotPath.empty())
+        robotPath_ = std::make_unique<OutputFile>(arguments.robotPath);
     if (!reader.groundTruth().empty()) writeTruth(reader.groundTruth());
     if (options_.pictures) std::filesystem::create_directories(folder_ + "/pictures");
 }
@@ -78,7 +79,8 @@ void RunOutputs::add(const Frame& frame, const FrameReport& report, const MonoSl
         Vector7d pose = report.x_v.head<camera_state::kPoseSize>();
         pose.tail<4>().normalize();
         path_.push_back(pose);
-        if (robotPath_) robotPath_->write(tumLine(report.t_s, toVector(toPose(pose) - cameraPose_)));
+        if (robotPath_)
+            robotPath_->write(tumLine(report.t_s, toVector(toPose(pose) - cameraPose_)));
     }
     if (options_.pictures && frame.index % options_.picture_every_nth == 0)
         addPicture(frame, report, slam);

@@ -19,16 +19,23 @@ const cv::Scalar kGreen(60, 220, 60), kRed(40, 40, 255), kYellow(0, 210, 255), k
     kGrey(150, 150, 150), kBlack(0, 0, 0);
 constexpr double kRadius99 = 3.0349;  // sqrt of chi2(2, 0.99)
 
-cv::Point2d toPoint2d(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
+cv::Point2d toPoint2d(const Eigen::Vector2d& p)
+{
+    return {p.x(), p.y()};
+}
 
 cv::Scalar colourOf(Fate fate)
 {
     switch (fate)
     {
-        case Fate::Matched: return kGreen;
-        case Fate::Rejected: return kRed;
-        case Fate::NotFound: return kYellow;
-        default: return kGrey;
+        case Fate::Matched:
+            return kGreen;
+        case Fate::Rejected:
+            return kRed;
+        case Fate::NotFound:
+            return kYellow;
+        default:
+            return kGrey;
     }
 }
 
@@ -59,8 +66,7 @@ void drawNew(cv::Mat& picture, const FrameReport& report, const MapLandmark& lan
 {
     const bool isRay = landmark.kind == LandmarkKind::InverseDepth;
     if (isRay && !(landmark.y[inverse_depth::kRho] > 0)) return;
-    const Eigen::Vector3d p_w =
-        isRay ? toPoint(Vector6d(landmark.y)) : Eigen::Vector3d(landmark.y);
+    const Eigen::Vector3d p_w = isRay ? toPoint(Vector6d(landmark.y)) : Eigen::Vector3d(landmark.y);
     const Eigen::Vector4d q_wc = report.x_v.segment<4>(camera_state::kOrientation).normalized();
     const Eigen::Vector3d r_wc = report.x_v.head<3>();
     const auto uv = camera.project(rotationMatrix(q_wc).transpose() * (p_w - r_wc));

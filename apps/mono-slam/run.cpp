@@ -36,10 +36,10 @@ void writeDefaultConfig(const Arguments& arguments)
 void describe(const RawlogReader& reader, const Config& config)
 {
     const CameraParameters& c = reader.camera();
-    std::printf("%s: %ld frames of '%s'\ncamera %dx%d px, f %.3f %.3f, c %.3f %.3f, distortion %s\n",
-                config.rawlog.file.c_str(), reader.frameCount(), reader.sensorLabel().c_str(),
-                c.width_px, c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px,
-                name(c.distortion.model).c_str());
+    std::printf(
+        "%s: %ld frames of '%s'\ncamera %dx%d px, f %.3f %.3f, c %.3f %.3f, distortion %s\n",
+        config.rawlog.file.c_str(), reader.frameCount(), reader.sensorLabel().c_str(), c.width_px,
+        c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px, name(c.distortion.model).c_str());
     if (!reader.gaps().empty())
         std::printf("%zu gaps in time, the first: %s\n", reader.gaps().size(),
                     reader.gaps().front().c_str());
@@ -97,8 +97,8 @@ int run(const Arguments& arguments)
                 config.output.directory.c_str());
     if (interrupted != 0) return 130;
     if (!outputs.summary().hasPose())
-        throw std::runtime_error(config.rawlog.file + ": no frame has a pose: " +
-                                 outputs.lastRemark());
+        throw std::runtime_error(config.rawlog.file +
+                                 ": no frame has a pose: " + outputs.lastRemark());
     return 0;
 }
 }  // namespace monoslam

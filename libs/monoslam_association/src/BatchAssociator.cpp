@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <ctime>
-#include <map>
 #include <stdexcept>
 
 #include "BatchSearch.h"
 #include "ConditionalPrediction.h"
 #include "monoslam_association/BatchAssociator.h"
 #include "monoslam_association/jointCompatibility.h"
+#include "monoslam_support/ThreadClock.h"
+#include "relinearize.h"
 
 namespace monoslam
 {
@@ -16,28 +16,6 @@ namespace
 /** Movement in the image, from where the projection was linearised to the posterior, below which
  *  its bend does not matter [px]: a turn by c pixels bends it by about c^2 / 1000. */
 constexpr double kLinearEnough_px = 5.0;
-
-double threadTime_ms()
-{
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-/** Time since the last lap. */
-class LapClock
-{
-   public:
-    void lap(double& total_ms)
-    {
-        const double now_ms = threadTime_ms();
-        total_ms += now_ms - last_ms_;
-        last_ms_ = now_ms;
-    }
-
-   private:
-    double last_ms_ = threadTime_ms();
-};
 
 /** Whether the update can factorise S, after the one inflation that it tries. */
 bool updatable(const Prediction& prediction, std::vector<PixelMeasurement> pixels, double& d2)
@@ -51,54 +29,6 @@ bool updatable(const Prediction& prediction, std::vector<PixelMeasurement> pixel
         return true;
     }
     return false;
-}
-
-/** Prediction of the prior linearised at x: its h is h(x) + H (x_prior - x), so that z - h is the
- *  innovation of an iterated EKF. */
-Prediction predictAt(const FrameView& view, Belief& prior, Eigen::VectorXd x)
-{
-    prior.x.swap(x);  // for a moment: a copy would copy the covariance too
-    Prediction prediction = view.predict(prior);
-    prior.x.swap(x);
-    const Eigen::VectorXd back = prior.x - x;
-    for (PredictedLandmark& row : prediction.rows)
-        row.h += row.H_v * back.head<camera_state::kSize>() +
-                 row.H_y.leftCols(row.size) * back.segment(row.offset, row.size);
-    return prediction;
-}
-
-/** The same pixels as measurements of another prediction's rows, landmark by landmark. */
-std::vector<PixelMeasurement> onRowsOf(const Prediction& to, const Prediction& from,
-                                       const std::vector<PixelMeasurement>& pixels)
-{
-    std::map<LandmarkId, Eigen::Index> rowOf;
-    for (std::size_t row = 0; row < to.rows.size(); ++row)
-        rowOf[to.rows[row].id] = static_cast<Eigen::Index>(row);
-    std::vector<PixelMeasurement> moved;
-    for (PixelMeasurement pixel : pixels)
-    {
-        const auto row = rowOf.find(from.rows[static_cast<std::size_t>(pixel.row)].id);
-        if (row == rowOf.end()) continue;
-        pixel.row = row->second;
-        moved.push_back(pixel);
-    }
-    return moved;
-}
-
-/** How far the measured landmarks move in the image between two states [px], the farthest. */
-double largestShift_px(const Prediction& prediction, const std::vector<PixelMeasurement>& pixels,
-                       const Eigen::VectorXd& d)
-{
-    double largest = 0.0;
-    for (const PixelMeasurement& pixel : pixels)
-    {
-        const auto& row = prediction.rows[static_cast<std::size_t>(pixel.row)];
-        const Eigen::Vector2d shift =
-            row.H_v * d.head<camera_state::kSize>() +
-            row.H_y.leftCols(row.size) * d.segment(row.offset, row.size);
-        largest = std::max(largest, shift.norm());
-    }
-    return largest;
 }
 
 /** Fate, pixel, score and NIS of every pair that went into validation. */
@@ -139,26 +69,26 @@ std::vector<int> BatchAssociator::decide(const AssociationProblem& problem,
 }
 
 std::vector<int> BatchAssociator::choose(BatchSearch& search, Belief& prior,
-                                        const FrameView& view) const
+                                         const FrameView& view) const
 {
-    LapClock clock;
+    ThreadClock clock;
     AssociationCounters& counters = search.counters;
     search.searchFirstStage();
-    clock.lap(counters.searchMs);
+    counters.searchMs += clock.lap_ms();
     const std::vector<int> first = decide(search.problem(), counters);
-    clock.lap(counters.selectMs);
+    counters.selectMs += clock.lap_ms();
     const auto known = pixelsOf(search.problem(), first);
     std::vector<int> accepted = first;
     if (options_.max_iterations > 1 && known.size() >= kPoseFixingPairs)
     {
         search.linearizedAt = ekfUpdateMean(prior, search.prediction(), known);
         search.moveTo(predictAt(view, prior, search.linearizedAt));
-        clock.lap(counters.updateMs);
+        counters.updateMs += clock.lap_ms();
         accepted = decide(search.problem(), counters);
-        clock.lap(counters.selectMs);
+        counters.selectMs += clock.lap_ms();
     }
     search.searchRest(accepted);
-    clock.lap(counters.searchMs);
+    counters.searchMs += clock.lap_ms();
 
     const AssociationProblem& problem = search.problem();
     std::vector<int> chosen =
@@ -170,7 +100,7 @@ std::vector<int> BatchAssociator::choose(BatchSearch& search, Belief& prior,
         chosen.assign(chosen.size(), -1);
     }
     record(problem, chosen, search.associations);
-    clock.lap(counters.selectMs);
+    counters.selectMs += clock.lap_ms();
     return chosen;
 }
 
@@ -201,10 +131,9 @@ Correction BatchAssociator::correct(Mixture predicted, const FrameView& view,
     if (predicted.size() != 1)
         throw std::logic_error("BatchAssociator: the mixture must hold exactly one belief");
     Belief& belief = predicted.front().belief;
-    LapClock clock;
-    double predictMs = 0.0;
+    ThreadClock clock;
     BatchSearch search(view.predict(belief), view, {gate_, maxCandidates(), options_});
-    clock.lap(predictMs);
+    const double predictMs = clock.lap_ms();
 
     const std::vector<int> chosen = choose(search, belief, view);
     const std::vector<PixelMeasurement> pixels = pixelsOf(search.problem(), chosen);
@@ -214,9 +143,9 @@ Correction BatchAssociator::correct(Mixture predicted, const FrameView& view,
     counters.rejected = counters.pairs - static_cast<long>(pixels.size());
     if (!pixels.empty())
     {
-        LapClock updateClock;
+        ThreadClock updateClock;
         belief = update(belief, search, pixels, view);
-        updateClock.lap(counters.updateMs);
+        counters.updateMs += updateClock.lap_ms();
     }
     return {std::move(predicted), std::move(search.associations), counters};
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchSearch.h"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "ConditionalPrediction.h"
+#include "bestCandidates.h"
+#include "relinearize.h"
 
 namespace monoslam
 {
@@ -18,22 +18,6 @@ namespace
 /** Variance that covers what a linear prediction misses [px^2]. */
 constexpr double kLinearizationVariance_px2 = 0.5;
 
-bool positiveDefinite(const Eigen::Matrix2d& A)
-{
-    return A.allFinite() && A(0, 0) > 0.0 && A(1, 1) > 0.0 && A.determinant() > 0.0;
-}
-
-bool usable(const Candidate& candidate)
-{
-    return candidate.z.allFinite() && std::isfinite(candidate.score) &&
-           positiveDefinite(candidate.R);
-}
-
-bool better(const Candidate& a, const Candidate& b)
-{
-    if (a.score != b.score) return a.score > b.score;
-    return a.z(1) != b.z(1) ? a.z(1) < b.z(1) : a.z(0) < b.z(0);
-}
 }  // namespace
 
 BatchSearch::BatchSearch(Prediction prediction, const FrameView& view, const Settings& settings)
@@ -77,8 +61,7 @@ SearchRegion BatchSearch::ownRegion(Eigen::Index row) const
     return region;
 }
 
-SearchRegion BatchSearch::regionGiven(const ConditionalPrediction& accepted,
-                                      Eigen::Index row) const
+SearchRegion BatchSearch::regionGiven(const ConditionalPrediction& accepted, Eigen::Index row) const
 {
     const ConditionalPrediction::Row given = accepted.row(row);
     SearchRegion region = ownRegion(row);
@@ -89,9 +72,7 @@ SearchRegion BatchSearch::regionGiven(const ConditionalPrediction& accepted,
 
 void BatchSearch::moveTo(Prediction prediction)
 {
-    std::map<LandmarkId, Eigen::Index> rowOf;
-    for (std::size_t row = 0; row < prediction.rows.size(); ++row)
-        rowOf[prediction.rows[row].id] = static_cast<Eigen::Index>(row);
+    const std::map<LandmarkId, Eigen::Index> rowOf = rowsById(prediction);
     AssociationProblem moved;
     for (std::size_t i = 0; i < problem_.rows.size(); ++i)
     {
@@ -115,8 +96,8 @@ void BatchSearch::moveTo(Prediction prediction)
     listRows();
     for (Association& record : associations)
         if (tried.count(record.id) > 0) record = before.at(record.id);
-    untried_.erase(std::remove_if(untried_.begin(), untried_.end(), [&](Eigen::Index row)
-                                  { return tried.count(at(row).id) > 0; }),
+    untried_.erase(std::remove_if(untried_.begin(), untried_.end(),
+                                  [&](Eigen::Index row) { return tried.count(at(row).id) > 0; }),
                    untried_.end());
 }
 
@@ -124,6 +105,7 @@ bool BatchSearch::search(Eigen::Index row, const SearchRegion& region)
 {
     if (!region.centre.allFinite() || !positiveDefinite(region.S)) return false;
     Association& record = associations[static_cast<std::size_t>(row)];
+    record.h = region.centre;
     record.S = region.S;
     SearchResult result = view_.search(region);
     ++counters.searches;
@@ -132,14 +114,9 @@ bool BatchSearch::search(Eigen::Index row, const SearchRegion& region)
 
     searched_.push_back(at(row).h);
     record.fate = Fate::NotFound;
-    auto& found = result.candidates;
-    found.erase(
-        std::remove_if(found.begin(), found.end(), [](const Candidate& c) { return !usable(c); }),
-        found.end());
+    std::vector<Candidate> found =
+        bestCandidates(std::move(result.candidates), settings_.maxCandidates);
     if (found.empty()) return true;
-    std::sort(found.begin(), found.end(), better);
-    if (found.size() > static_cast<std::size_t>(settings_.maxCandidates))
-        found.resize(static_cast<std::size_t>(settings_.maxCandidates));
     record.fate = Fate::Rejected;
     problem_.rows.push_back(row);
     problem_.candidates.push_back(std::move(found));

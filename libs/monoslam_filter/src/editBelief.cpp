@@ -5,72 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "monoslam_models/quaternion.h"
+#include "resizeBelief.h"
 
 namespace monoslam
 {
-namespace
-{
 using camera_state::kPoseSize;
-using camera_state::kSize;
-
-/** Grows x and P by \p extra rows, uncorrelated and zero. */
-void grow(Belief& belief, Eigen::Index extra)
-{
-    const Eigen::Index n = belief.size();
-    belief.x.conservativeResize(n + extra);
-    belief.P.conservativeResize(n + extra, n + extra);
-    belief.P.rightCols(extra).setZero();
-    belief.P.bottomRows(extra).setZero();
-}
-
-/** Keeps the listed blocks (offset, length), sorted by offset, and closes the gaps. */
-void keepBlocks(Belief& belief, const std::vector<std::pair<Eigen::Index, Eigen::Index>>& blocks)
-{
-    Eigen::Index size = 0;
-    for (const auto& block : blocks) size += block.second;
-    Eigen::VectorXd x(size);
-    Eigen::MatrixXd P(size, size);
-    Eigen::Index row = 0;
-    for (const auto& [rowOffset, rows] : blocks)
-    {
-        x.segment(row, rows) = belief.x.segment(rowOffset, rows);
-        Eigen::Index column = 0;
-        for (const auto& [columnOffset, columns] : blocks)
-        {
-            P.block(column, row, columns, rows) =
-                belief.P.block(columnOffset, rowOffset, columns, rows);
-            column += columns;
-        }
-        row += rows;
-    }
-    belief.x = std::move(x);
-    belief.P = std::move(P);
-}
-
-/** Lays the state out anew after slots were taken from the lists. */
-void compact(Belief& belief)
-{
-    std::vector<std::pair<Eigen::Index, Eigen::Index>> blocks{{0, kSize}};
-    for (const auto& slot : belief.landmarks) blocks.emplace_back(slot.offset, slot.size());
-    for (const auto& slot : belief.clones) blocks.emplace_back(slot.offset, kPoseSize);
-    std::sort(blocks.begin(), blocks.end());
-    keepBlocks(belief, blocks);
-
-    const auto moved = [&blocks](Eigen::Index offset)
-    {
-        Eigen::Index at = 0;
-        for (const auto& block : blocks)
-        {
-            if (block.first == offset) return at;
-            at += block.second;
-        }
-        throw std::logic_error("compact: a slot without a block");
-    };
-    for (auto& slot : belief.landmarks) slot.offset = moved(slot.offset);
-    for (auto& slot : belief.clones) slot.offset = moved(slot.offset);
-}
-}  // namespace
 
 Belief append(Belief belief, LandmarkId id, LandmarkKind kind, const Eigen::VectorXd& y,
               const Eigen::MatrixXd& P_yx, const Eigen::MatrixXd& P_yy)
@@ -96,9 +35,8 @@ std::optional<Belief> addUndelayed(Belief belief, const Camera& camera, Landmark
     const double variance_px = prior.sigma_px * prior.sigma_px;
     const Eigen::Vector3d R(variance_px, variance_px, prior.sigma_rho * prior.sigma_rho);
     const Eigen::MatrixXd P_yx = born->J_y_pose * belief.P.topRows<kPoseSize>();
-    const Eigen::MatrixXd P_yy =
-        P_yx.leftCols<kPoseSize>() * born->J_y_pose.transpose() +
-        born->J_y_z * R.asDiagonal() * born->J_y_z.transpose();
+    const Eigen::MatrixXd P_yy = P_yx.leftCols<kPoseSize>() * born->J_y_pose.transpose() +
+                                 born->J_y_z * R.asDiagonal() * born->J_y_z.transpose();
     return append(std::move(belief), id, LandmarkKind::InverseDepth, born->y, P_yx, P_yy);
 }
 

@@ -51,8 +51,7 @@ CSerializable::Ptr ObservationStream::readObject()
     }
     catch (const std::exception& e)
     {
-        if (objects_ == 0)
-            throw std::runtime_error(file_ + ": not a rawlog (" + essence(e) + ")");
+        if (objects_ == 0) throw std::runtime_error(file_ + ": not a rawlog (" + essence(e) + ")");
         throw std::runtime_error(file_ + ": truncated or damaged after " +
                                  std::to_string(objects_) + " objects (" + essence(e) + ")");
     }

@@ -15,8 +15,7 @@ RawlogContents scanRawlog(const std::string& file, StereoSide side)
     {
         ++contents.classes[observation->GetRuntimeClass()->className];
         const Ticks t = ticksOf(observation->timestamp);
-        if (imageOf(*observation, side))
-            contents.imageTimes[observation->sensorLabel].push_back(t);
+        if (imageOf(*observation, side)) contents.imageTimes[observation->sensorLabel].push_back(t);
         const auto* truth =
             dynamic_cast<const mrpt::obs::CObservationRobotPose*>(observation.get());
         if (truth != nullptr && truth->sensorLabel == "GT")

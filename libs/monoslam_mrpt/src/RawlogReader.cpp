@@ -28,8 +28,8 @@ std::string chooseLabel(const RawlogOptions& options, const RawlogContents& cont
     if (known.empty()) throw std::runtime_error(options.file + ": there are no images in it");
     const bool named = !options.sensor_label.empty();
     if (named && !contents.imageTimes.count(options.sensor_label))
-        throw std::invalid_argument(options.file + ": no images labelled '" +
-                                    options.sensor_label + "'; there are " + known);
+        throw std::invalid_argument(options.file + ": no images labelled '" + options.sensor_label +
+                                    "'; there are " + known);
     if (!named && contents.imageTimes.size() > 1)
         throw std::invalid_argument(options.file + ": images bear several labels: " + known +
                                     "; set [rawlog] sensor_label");
@@ -93,9 +93,9 @@ void RawlogReader::checkTimes(const std::vector<Ticks>& times)
         selected.push_back(times[i]);
     }
     if (selected.empty())
-        throw std::invalid_argument(rawlog_.file + ": [rawlog] first_frame = " +
-                                    std::to_string(rawlog_.first_frame) + " is beyond its " +
-                                    std::to_string(times.size()) + " images");
+        throw std::invalid_argument(
+            rawlog_.file + ": [rawlog] first_frame = " + std::to_string(rawlog_.first_frame) +
+            " is beyond its " + std::to_string(times.size()) + " images");
     frameCount_ = static_cast<long>(selected.size());
     findGaps(selected);
 }

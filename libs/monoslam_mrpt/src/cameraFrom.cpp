@@ -48,16 +48,22 @@ DistortionParameters distortionFrom(ConfigSection& section)
     {
         switch (d.model)
         {
-            case M::Brown: return k.size() == 4 || k.size() == 5 || k.size() == 8;
-            case M::KannalaBrandt: return k.size() == 4;
-            case M::Tsai: return k.size() == 3;
-            case M::Davison: return k.size() == 1;
-            default: return true;
+            case M::Brown:
+                return k.size() == 4 || k.size() == 5 || k.size() == 8;
+            case M::KannalaBrandt:
+                return k.size() == 4;
+            case M::Tsai:
+                return k.size() == 3;
+            case M::Davison:
+                return k.size() == 1;
+            default:
+                return true;
         }
     };
     if (!fits())
-        section.fail("distortion", "brown takes 4, 5 or 8 numbers, kannala_brandt 4, tsai 3 and "
-                                   "davison 1");
+        section.fail("distortion",
+                     "brown takes 4, 5 or 8 numbers, kannala_brandt 4, tsai 3 and "
+                     "davison 1");
     if (d.model != M::None) std::copy(k.begin(), k.end(), d.k.begin());
     return d;
 }

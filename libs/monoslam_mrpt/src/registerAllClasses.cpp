@@ -24,4 +24,7 @@ void registerAllClasses()
 }
 }  // namespace monoslam
 
-MRPT_INITIALIZER(registerMonoslamClasses) { monoslam::registerAllClasses(); }
+MRPT_INITIALIZER(registerMonoslamClasses)
+{
+    monoslam::registerAllClasses();
+}

@@ -96,7 +96,8 @@ void writeScene3d(const std::string& file, const std::vector<Vector7d>& path,
 {
     registerAllClasses();
     OutputFile probe(file);  // says why, which MRPT does not
-    if (!scene3d(path, map)->saveToFile(file)) throw std::runtime_error(file + ": cannot be written");
+    if (!scene3d(path, map)->saveToFile(file))
+        throw std::runtime_error(file + ": cannot be written");
     COpenGLScene readBack;
     if (!readBack.loadFromFile(file))
         throw std::runtime_error(file + ": cannot be written completely (disk full?)");

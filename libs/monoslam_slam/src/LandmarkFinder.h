@@ -7,7 +7,8 @@
 #include "LandmarkRecord.h"
 #include "monoslam_association/Associator.h"
 #include "monoslam_models/Camera.h"
-#include "monoslam_slam/MonoSlamOptions.h"
+#include "monoslam_slam/SearchOptions.h"
+#include "monoslam_vision/CornerTracker.h"
 #include "monoslam_vision/searchPatch.h"
 
 namespace monoslam

@@ -64,8 +64,11 @@ class MapKeeper
     [[nodiscard]] Mixture addNew(Mixture mixture, const FrameContext& frame);
     [[nodiscard]] Mixture addUndelayedAt(Mixture mixture, const Eigen::Vector2d& uv,
                                          const UndelayedPrior& prior, const FrameContext& frame);
-    [[nodiscard]] Mixture startCandidates(Mixture mixture, const std::vector<Eigen::Vector2d>& pixels,
+    [[nodiscard]] Mixture startCandidates(Mixture mixture,
+                                          const std::vector<Eigen::Vector2d>& pixels,
                                           const FrameContext& frame);
+    /** The present pose as a clone, in the place of the oldest one if there are too many. */
+    [[nodiscard]] Mixture clonePose(Mixture mixture, CloneId clone);
     [[nodiscard]] Mixture dropUnusedClones(Mixture mixture) const;
     [[nodiscard]] std::vector<Eigen::Vector2d> takenPixels(const Belief& belief) const;
     [[nodiscard]] UndelayedPrior priorNow(const Belief& belief) const;

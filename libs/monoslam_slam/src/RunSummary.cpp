@@ -105,12 +105,12 @@ std::string RunSummary::text() const
 {
     const auto& total = times_ms_[kTotal];
     char line[400];
-    std::snprintf(line, sizeof line,
-                  "%zu frames: %ld tracking, %ld degraded, %ld lost, %ld waiting; state at the end: "
-                  "%s\npath %.4f long, time a frame: median %.2f ms, 99.5 %% %.2f ms, worst %.2f ms\n",
-                  total.size(), states_[1], states_[2], states_[3], states_[0], lastState_.c_str(),
-                  pathLength_m_, quantile(total, 0.5), quantile(total, 0.995),
-                  quantile(total, 1.0));
+    std::snprintf(
+        line, sizeof line,
+        "%zu frames: %ld tracking, %ld degraded, %ld lost, %ld waiting; state at the end: "
+        "%s\npath %.4f long, time a frame: median %.2f ms, 99.5 %% %.2f ms, worst %.2f ms\n",
+        total.size(), states_[1], states_[2], states_[3], states_[0], lastState_.c_str(),
+        pathLength_m_, quantile(total, 0.5), quantile(total, 0.995), quantile(total, 1.0));
     std::string text = line;
     for (const auto& [remark, count] : remarks_)
         text += "  " + std::to_string(count) + " frames " + remark + "\n";

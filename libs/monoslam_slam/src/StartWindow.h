@@ -8,7 +8,8 @@
 #include "monoslam_association/Associator.h"
 #include "monoslam_filter/smoothWindow.h"
 #include "monoslam_models/Camera.h"
-#include "monoslam_slam/MonoSlamOptions.h"
+#include "monoslam_slam/StartOptions.h"
+#include "startWindowProblem.h"
 
 namespace monoslam
 {
@@ -34,48 +35,24 @@ class StartWindow
                 double sigma_px);
 
     /** The belief estimated anew, if a threshold has been passed; closes after the last one. */
-    [[nodiscard]] std::optional<Belief> refine(const Belief& belief,
-                                               const LandmarkRecords& records,
+    [[nodiscard]] std::optional<Belief> refine(const Belief& belief, const LandmarkRecords& records,
                                                const ConstantVelocityOptions& motion);
 
     /** Share of the window's pixels that the last estimate explains; low after a wrong start. */
     [[nodiscard]] double lastInlierRatio() const { return lastInlierRatio_; }
 
    private:
-    struct Pixel
-    {
-        LandmarkId id = -1;
-        Eigen::Vector2d z;
-        Eigen::Matrix2d R;
-    };
-    struct View
-    {
-        double t_s = 0.0;
-        Vector7d pose;
-        std::vector<Pixel> pixels;
-    };
-
     [[nodiscard]] double medianParallax_rad(const Belief& belief) const;
     [[nodiscard]] bool due(const Belief& belief) const;
+    void passThresholds(const Belief& belief);
     [[nodiscard]] SmoothedWindow smooth(const Window& window) const;
-    [[nodiscard]] std::vector<std::size_t> selectViews() const;
-    [[nodiscard]] Window makeWindow(const std::vector<std::size_t>& views, const Belief& belief,
-                                    const LandmarkRecords& records,
-                                    std::vector<LandmarkId>& ids) const;
-    [[nodiscard]] std::vector<bool> trusted(const Window& window,
-                                            const SmoothedWindow& smoothed) const;
-    /** Covariance with the first view's errors taken out: the world is where that camera stood. */
-    [[nodiscard]] Eigen::MatrixXd fromFirstView(const SmoothedWindow& smoothed) const;
-    [[nodiscard]] Belief rebuild(const SmoothedWindow& smoothed,
-                                 const std::vector<LandmarkId>& ids, const std::vector<bool>& keep,
-                                 const ConstantVelocityOptions& motion) const;
 
     StartOptions options_;
     Camera camera_;
     bool metric_;
     bool open_ = true;
     std::size_t nextThreshold_ = 0;
-    std::vector<View> views_;
+    std::vector<StartView> views_;
     std::size_t lastRefined_ = 0;
     double lastInlierRatio_ = 1.0;
 };

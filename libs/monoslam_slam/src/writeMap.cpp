@@ -54,7 +54,8 @@ std::string mapLine(const MapLandmark& landmark)
     const bool isRay = landmark.kind == LandmarkKind::InverseDepth;
     std::vector<double> p, P, y, P_y;
     if (point) p.assign(point->p.data(), point->p.data() + 3), P = upperTriangle(point->P);
-    if (isRay) y.assign(landmark.y.data(), landmark.y.data() + 6), P_y = upperTriangle(landmark.P_y);
+    if (isRay)
+        y.assign(landmark.y.data(), landmark.y.data() + 6), P_y = upperTriangle(landmark.P_y);
     return std::to_string(landmark.id) + (isRay ? ",inverse_depth," : ",point,") +
            (landmark.known ? "1," : "0,") + std::to_string(landmark.timesSeen) + "," +
            std::to_string(landmark.lastSeen) + fields(p, 3) + fields(y, 6) + fields(P, 6) +
@@ -106,6 +107,7 @@ void writeMapPly(const std::string& folder, const std::vector<MapLandmark>& map)
     OutputFile file(folder + "/map.ply");
     file.write("ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
                "\nproperty double x\nproperty double y\nproperty double z\n"
-               "property double sigma_max\nproperty int id\nend_header\n" + lines);
+               "property double sigma_max\nproperty int id\nend_header\n" +
+               lines);
 }
 }  // namespace monoslam

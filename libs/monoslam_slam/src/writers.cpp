@@ -51,9 +51,9 @@ std::string frameLine(const FrameReport& r, double decode_ms)
                             t.map_ms, t.total_ms, decode_ms})
         line += "," + number(ms, "%.4f");
     const AssociationCounters& c = r.counters;
-    for (const long count : {static_cast<long>(r.landmarks), static_cast<long>(r.visible),
-                             static_cast<long>(r.candidates), c.pairs, c.rejected, c.nodes,
-                             c.leaves, c.d2Evaluations})
+    for (const long count :
+         {static_cast<long>(r.landmarks), static_cast<long>(r.visible),
+          static_cast<long>(r.candidates), c.pairs, c.rejected, c.nodes, c.leaves, c.d2Evaluations})
         line += "," + std::to_string(count);
     for (const double value : {c.jointD2, meanNis(r.associations), r.residualRms_px})
         line += "," + number(value, "%.6g");
@@ -66,8 +66,7 @@ std::string covarianceHeader()
     std::string header = "t_s";
     const char* axes[] = {"rx", "ry", "rz", "thx", "thy", "thz"};
     for (int i = 0; i < 6; ++i)
-        for (int j = i; j < 6; ++j)
-            header += std::string(",") + axes[i] + "_" + axes[j];
+        for (int j = i; j < 6; ++j) header += std::string(",") + axes[i] + "_" + axes[j];
     return header + "\n";
 }
 
@@ -121,8 +120,9 @@ void checkOutputFolder(const std::string& folder, bool force)
     const bool empty = fs::is_empty(folder, failed);
     if (failed) throw std::runtime_error(folder + ": cannot be read: " + failed.message());
     if (!empty && !force)
-        throw std::runtime_error(folder + ": the output folder is not empty; use --force to "
-                                          "replace the files of an earlier run");
+        throw std::runtime_error(folder +
+                                 ": the output folder is not empty; use --force to "
+                                 "replace the files of an earlier run");
 }
 
 void prepareOutputFolder(const std::string& folder, bool force)

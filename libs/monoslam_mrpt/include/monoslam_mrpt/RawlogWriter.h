@@ -16,11 +16,11 @@ namespace monoslam
 {
 struct RawlogWriterOptions
 {
-    std::string file;                     ///< ends in .rawlog
-    bool embed = false;                   ///< images inside the file, grey, not compressed
-    bool force = false;                   ///< replace an existing file and its images
+    std::string file;    ///< ends in .rawlog
+    bool embed = false;  ///< images inside the file, grey, not compressed
+    bool force = false;  ///< replace an existing file and its images
     mrpt::img::TCamera camera;
-    mrpt::poses::CPose3D cameraPose;      ///< on the vehicle
+    mrpt::poses::CPose3D cameraPose;  ///< on the vehicle
     std::string sensorLabel = "camera";
 };
 

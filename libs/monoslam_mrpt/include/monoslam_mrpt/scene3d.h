@@ -17,7 +17,6 @@ namespace monoslam
     const std::vector<Vector7d>& path, const std::vector<MapLandmark>& map);
 
 /** \throw std::runtime_error naming the file */
-MONOSLAM_MRPT_EXPORT void writeScene3d(const std::string& file,
-                                       const std::vector<Vector7d>& path,
+MONOSLAM_MRPT_EXPORT void writeScene3d(const std::string& file, const std::vector<Vector7d>& path,
                                        const std::vector<MapLandmark>& map);
 }  // namespace monoslam

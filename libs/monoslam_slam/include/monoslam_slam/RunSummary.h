@@ -16,7 +16,7 @@ struct RunFacts
 {
     unsigned seed = 0;
     bool interrupted = false;
-    std::map<std::string, std::string> input;                          ///< rawlog, label, camera
+    std::map<std::string, std::string> input;  ///< rawlog, label, camera
     std::map<std::string, std::string> versions;
     std::map<std::string, std::map<std::string, std::string>> config;  ///< section, key, value
     std::vector<std::string> notes;                                    ///< gaps and the like
@@ -40,7 +40,7 @@ class MONOSLAM_SLAM_EXPORT RunSummary
    private:
     static constexpr std::size_t kStages = 8;  ///< prepare to map, total, decode
 
-    std::array<long, 4> states_{};             ///< frames in each TrackingState
+    std::array<long, 4> states_{};  ///< frames in each TrackingState
     std::array<std::vector<double>, kStages> times_ms_;
     std::map<std::string, long> remarks_;
     std::map<std::string, long> totals_;

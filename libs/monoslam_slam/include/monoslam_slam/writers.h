@@ -58,7 +58,8 @@ struct LandmarkPoint
     Eigen::Vector3d p;
     Eigen::Matrix3d P;
 };
-[[nodiscard]] MONOSLAM_SLAM_EXPORT std::optional<LandmarkPoint> pointOf(const MapLandmark& landmark);
+[[nodiscard]] MONOSLAM_SLAM_EXPORT std::optional<LandmarkPoint> pointOf(
+    const MapLandmark& landmark);
 
 /** map.csv: every landmark's numbers and the upper triangle of their covariance, row by row. */
 MONOSLAM_SLAM_EXPORT void writeMapCsv(const std::string& folder,

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "relinearize.h"
+
+#include <algorithm>
+
+namespace monoslam
+{
+Prediction predictAt(const FrameView& view, Belief& prior, Eigen::VectorXd x)
+{
+    prior.x.swap(x);  // for a moment: a copy would copy the covariance too
+    Prediction prediction = view.predict(prior);
+    prior.x.swap(x);
+    const Eigen::VectorXd back = prior.x - x;
+    for (PredictedLandmark& row : prediction.rows)
+        row.h += row.H_v * back.head<camera_state::kSize>() +
+                 row.H_y.leftCols(row.size) * back.segment(row.offset, row.size);
+    return prediction;
+}
+
+std::map<LandmarkId, Eigen::Index> rowsById(const Prediction& prediction)
+{
+    std::map<LandmarkId, Eigen::Index> rowOf;
+    for (std::size_t row = 0; row < prediction.rows.size(); ++row)
+        rowOf[prediction.rows[row].id] = static_cast<Eigen::Index>(row);
+    return rowOf;
+}
+
+std::vector<PixelMeasurement> onRowsOf(const Prediction& to, const Prediction& from,
+                                       const std::vector<PixelMeasurement>& pixels)
+{
+    const std::map<LandmarkId, Eigen::Index> rowOf = rowsById(to);
+    std::vector<PixelMeasurement> moved;
+    for (PixelMeasurement pixel : pixels)
+    {
+        const auto row = rowOf.find(from.rows[static_cast<std::size_t>(pixel.row)].id);
+        if (row == rowOf.end()) continue;
+        pixel.row = row->second;
+        moved.push_back(pixel);
+    }
+    return moved;
+}
+
+double largestShift_px(const Prediction& prediction, const std::vector<PixelMeasurement>& pixels,
+                       const Eigen::VectorXd& d)
+{
+    double largest = 0.0;
+    for (const PixelMeasurement& pixel : pixels)
+    {
+        const auto& row = prediction.rows[static_cast<std::size_t>(pixel.row)];
+        const Eigen::Vector2d shift = row.H_v * d.head<camera_state::kSize>() +
+                                      row.H_y.leftCols(row.size) * d.segment(row.offset, row.size);
+        largest = std::max(largest, shift.norm());
+    }
+    return largest;
+}
+}  // namespace monoslam

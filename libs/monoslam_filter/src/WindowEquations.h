@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "monoslam_filter/smoothWindow.h"
+#include "monoslam_models/InverseDepth.h"
+
+namespace monoslam
+{
+/** Cost and normal equations of a window at one estimate.
+ *
+ *     [H_pp  H_pl] [d_p]   [b_p]
+ *     [H_lp  H_ll] [d_l] = [b_l],   H_ll block-diagonal, one 3 x 3 block a landmark
+ *
+ * d_p: (dr in the world, dtheta in the camera) of every view; d_l: three free numbers a landmark. */
+class WindowEquations
+{
+   public:
+    /** Keeps references to all three. */
+    WindowEquations(const Camera& camera, const Window& window, const WindowOptions& options);
+
+    /** Robust cost; fills the equations if asked. */
+    double evaluate(const Window& at, bool linearize);
+
+    /** Sum of half the squared sigmas, each cut at the outlier threshold: comparable between
+     *  estimates of one window. */
+    [[nodiscard]] double truncatedCost(const Window& at) const;
+
+    /** Marks what lies beyond the outlier threshold; returns the mean chi2 of the rest. */
+    double markOutliers(const Window& at);
+
+    /** Solution of the damped equations applied to a copy of the window. */
+    [[nodiscard]] Window step(const Window& at, double lambda) const;
+
+    /** SmoothedWindow::P; empty if the pixels leave a view undetermined. */
+    [[nodiscard]] Eigen::MatrixXd covariance() const;
+    [[nodiscard]] const std::vector<bool>& inliers() const { return inlier_; }
+
+    static constexpr Eigen::Index kPoseDof = 6;
+
+    /** The first of the three free numbers of a landmark within y. */
+    [[nodiscard]] static Eigen::Index freeOffset(LandmarkKind kind)
+    {
+        return kind == LandmarkKind::InverseDepth ? inverse_depth::kTheta : 0;
+    }
+
+   private:
+    using Matrix26d = Eigen::Matrix<double, 2, 6>;
+    using Matrix23d = Eigen::Matrix<double, 2, 3>;
+
+    void clear(std::size_t landmarks);
+    double posePrior(const Window& at, bool linearize);
+    double scalePrior(const Window& at, bool linearize);
+    double landmarkPrior(const Window& at, std::size_t i, bool linearize);
+    double observation(const Window& at, std::size_t i, bool linearize);
+    /** Of one pixel; a landmark behind its anchor explains nothing, however well it projects. */
+    [[nodiscard]] double squaredSigmas(const Window& at, std::size_t i) const;
+    [[nodiscard]] Eigen::Vector2d whitened(const Window& at, std::size_t i, Matrix26d* J_pose,
+                                           Matrix23d* J_landmark) const;
+
+    const Camera& camera_;
+    const Window& window_;
+    const WindowOptions& options_;
+    Eigen::Index poseSize_;
+    std::vector<bool> inlier_;
+    Vector7d anchor_;
+    Eigen::Vector3d baseline_;
+    Eigen::MatrixXd H_pp_;
+    Eigen::VectorXd b_p_;
+    std::vector<Eigen::Matrix3d> H_ll_;
+    std::vector<Eigen::MatrixXd> H_pl_;
+    std::vector<Eigen::Vector3d> b_l_;
+};
+}  // namespace monoslam

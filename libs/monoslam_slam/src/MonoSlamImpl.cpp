@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MonoSlamImpl.h"
+
+#include <stdexcept>
+
+#include "LandmarkFinder.h"
+#include "postFitResiduals.h"
+#include "startBelief.h"
+
+namespace monoslam
+{
+void MonoSlam::Impl::check(const Frame& frame) const
+{
+    const CameraParameters& p = camera.parameters();
+    const std::string where = "frame " + std::to_string(frame.index) + ": ";
+    if (frame.image.type() != CV_8UC1)
+        throw std::invalid_argument(where + "image is not 8-bit grey");
+    if (frame.image.cols != p.width_px || frame.image.rows != p.height_px)
+        throw std::invalid_argument(where + "image has " + std::to_string(frame.image.cols) +
+                                    " x " + std::to_string(frame.image.rows) +
+                                    " pixels, the camera has " + std::to_string(p.width_px) +
+                                    " x " + std::to_string(p.height_px));
+    if (anyFrame && !(frame.t_s > t_s))
+        throw std::invalid_argument(where + "time does not increase");
+}
+
+/** Puts the first belief up; returns why that is not possible yet. */
+std::string MonoSlam::Impl::start(const FrameContext& context, const cv::Mat& image)
+{
+    if (options.metricStart.method != MetricStartMethod::None)
+    {
+        const MetricStartResult result = findMetricPose(image, camera, options.metricStart);
+        if (!result.found) return result.reason;
+        target = result.found;
+    }
+    StartBelief first = startBelief(target ? &*target : nullptr, options.initialization);
+    mixture = {{std::move(first.belief), 0.0}};
+    if (target) mixture = keeper.addKnownPoints(std::move(mixture), *target, context);
+    mixture = keeper.addFirst(std::move(mixture), context, first.rho0, first.sigma_rho);
+    if (!options.start.parallax_deg.empty())
+        window.emplace(options.start, camera, target.has_value());
+    return {};
+}
+
+/** A new map around the last pose, in the old map's median depth, when nothing matches any more. */
+void MonoSlam::Impl::restart(const FrameContext& context)
+{
+    const Belief& old = best(mixture);
+    StartBelief again = restartBelief(old, keeper.medianRho(old), options.initialization);
+    mixture = {{std::move(again.belief), 0.0}};
+    keeper.keepOnly(best(mixture));
+    mixture = keeper.addFirst(std::move(mixture), context, again.rho0, again.sigma_rho);
+    if (!options.start.parallax_deg.empty()) window.emplace(options.start, camera, false);
+    judge.noteRestart();
+}
+
+/** Search, association and update from the predicted beliefs. */
+Correction MonoSlam::Impl::correct(const FrameContext& context)
+{
+    const Belief expected = best(mixture);
+    SearchOptions search = options.search;
+    search.sigma_floor_px = noise.floor_px();
+    LandmarkFinder finder(camera, *context.image, search, keeper.records(), expected);
+    VisibilityOptions visibility;
+    visibility.border_px = options.search.patch_px / 2 + 2.0;
+    visibility.sigma_px = birthSigma_px();
+    FrameView view;
+    view.predict = [&](const Belief& belief)
+    { return predictMeasurements(belief, camera, visibility); };
+    view.search = [&](const SearchRegion& region) { return finder.search(region); };
+    view.engine = engine;
+    return associator->correct(std::move(mixture), view, rng);
+}
+
+void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport& report,
+                           ThreadClock& clock)
+{
+    for (auto& weighted : mixture)
+        weighted.belief = engine.predict(std::move(weighted.belief), options.motion, dt_s);
+    report.times.predict_ms = clock.lap_ms();
+
+    Correction correction = correct(context);
+    mixture = std::move(correction.mixture);
+    report.associations = std::move(correction.associations);
+    report.counters = correction.counters;
+    report.times.search_ms = report.counters.searchMs;
+    report.times.associate_ms = report.counters.selectMs;
+    report.times.update_ms = clock.lap_ms() - report.counters.searchMs - report.counters.selectMs;
+    const Belief& belief = best(mixture);
+    if (options.search.subpixel)
+        noise.adapt(settledResiduals(belief, camera, report.associations, keeper.records()));
+    report.residualRms_px = residualRms_px(belief, camera, report.associations);
+    for (const auto& association : report.associations)
+        if (association.fate == Fate::Matched) ++report.matched;
+    mixture = keeper.revise(std::move(mixture), report.associations, context);
+}
+
+/** Re-estimates the first seconds, where a wrong linearisation would stay for ever. */
+void MonoSlam::Impl::refineStart(const FrameContext& context, const FrameReport& report)
+{
+    if (!window || !window->open() || mixture.size() != 1) return;
+    Belief& belief = mixture.front().belief;
+    window->record(report.t_s, context.index, belief, report.associations, keeper.records(),
+                   birthSigma_px());
+    auto refined = window->refine(belief, keeper.records(), options.motion);
+    if (refined)
+    {
+        belief = std::move(*refined);
+        keeper.keepOnly(belief);
+    }
+    keeper.setStarting(window->open());
+}
+
+void MonoSlam::Impl::summarize(FrameReport& report) const
+{
+    if (mixture.empty()) return;
+    const Belief& belief = best(mixture);
+    report.x_v = belief.camera();
+    report.P_v = belief.P.topLeftCorner<13, 13>();
+    if (target) report.P_v.topLeftCorner<7, 7>() += worldCovariance(*target, report.x_v.head<7>());
+    report.landmarks = static_cast<int>(belief.landmarks.size());
+    report.visible = static_cast<int>(report.associations.size());
+    report.candidates = keeper.candidates();
+    report.added = keeper.added();
+    report.removed = keeper.removed();
+}
+}  // namespace monoslam

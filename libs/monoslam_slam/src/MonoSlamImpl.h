@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "MapKeeper.h"
+#include "MatchNoise.h"
+#include "StartWindow.h"
+#include "TrackingJudge.h"
+#include "monoslam_slam/MonoSlam.h"
+#include "monoslam_support/ThreadClock.h"
+
+namespace monoslam
+{
+/** The state of a run and the steps of process(). */
+struct MonoSlam::Impl
+{
+    Impl(MonoSlamOptions o, const Camera& c, std::unique_ptr<Associator> a, FilterEngine e,
+         unsigned seed)
+        : options(std::move(o)),
+          camera(c),
+          associator(std::move(a)),
+          engine(std::move(e)),
+          rng(seed),
+          keeper(options, c, seed),
+          noise(options.search),
+          judge(options.map)
+    {
+    }
+
+    MonoSlamOptions options;
+    Camera camera;
+    std::unique_ptr<Associator> associator;
+    FilterEngine engine;
+    std::mt19937 rng;
+    MapKeeper keeper;
+    MatchNoise noise;
+    TrackingJudge judge;
+    Mixture mixture;
+    double t_s = 0.0;
+    bool anyFrame = false;
+    std::optional<StartWindow> window;
+    std::optional<MetricPose> target;  ///< what the world was defined by
+
+    void check(const Frame& frame) const;
+    std::string start(const FrameContext& context, const cv::Mat& image);
+    void restart(const FrameContext& context);
+    void track(const FrameContext& context, double dt_s, FrameReport& report, ThreadClock& clock);
+    [[nodiscard]] Correction correct(const FrameContext& context);
+    void refineStart(const FrameContext& context, const FrameReport& report);
+    void summarize(FrameReport& report) const;
+
+    [[nodiscard]] double birthSigma_px() const
+    {
+        return options.search.subpixel ? 2.0 * options.search.sigma_floor_px
+                                       : options.search.sigma_px;
+    }
+    [[nodiscard]] bool startUnexplained() const
+    {
+        return window && window->lastInlierRatio() < options.start.accept_inlier_ratio;
+    }
+};
+}  // namespace monoslam

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SpoiledRun.h"
+
+namespace monoslam
+{
+namespace
+{
+namespace fs = std::filesystem;
+using BadInput = SpoiledRun;
+
+TEST_F(BadInput, MissingIni)
+{
+    fs::remove(ini_);
+    expectOneLine(run(), {"run.ini", "no such"});
+}
+
+TEST_F(BadInput, UnknownSection)
+{
+    expectOneLine(run("--set mapp.strikes=3"), {"run.ini", "[mapp]"});
+}
+
+TEST_F(BadInput, UnknownKeys)
+{
+    expectOneLine(run("--set map.strike=3"), {"run.ini", "[map]", "strike"});
+    expectOneLine(run("--set rawlog.first=3"), {"[rawlog]", "first"});
+    expectOneLine(run("--set association.jcbb.tua=0.9"), {"[association.jcbb]", "tua"});
+}
+
+TEST_F(BadInput, WrongType)
+{
+    expectOneLine(run("--set rawlog.every_nth=two"), {"[rawlog]", "every_nth", "two"});
+    expectOneLine(run("--set filter.engine=other"), {"[filter]", "engine", "other"});
+    expectOneLine(run("--set association.strategy=guess"), {"[association]", "guess", "hohct"});
+}
+
+TEST_F(BadInput, ValueOutOfRange)
+{
+    expectOneLine(run("--set rawlog.every_nth=0"), {"[rawlog]", "every_nth", "0"});
+    expectOneLine(run("--set rawlog.first_frame=99"), {"first_frame = 99", "30 images"});
+}
+
+TEST_F(BadInput, SettingWithoutADotOrAnEqualsSign)
+{
+    expectOneLine(run("--set strikes=3"), {"--set", "section.key=value"});
+    expectOneLine(run("--set map.strikes"), {"--set", "section.key=value"});
+}
+
+TEST_F(BadInput, OutputInUse)
+{
+    writeText(out_ + "/precious.txt", "mine");
+    expectOneLine(run(), {"out", "not empty", "--force"});
+    EXPECT_EQ(run("--force").status, 0);
+    EXPECT_EQ(readText(out_ + "/precious.txt"), "mine");
+}
+
+TEST_F(BadInput, OutputThatCannotBeWritten)
+{
+    writeText(folder_ / "file", "");
+    out_ = folder_ / "file/out";
+    expectOneLine(run(), {"file/out"});
+    out_ = "/proc/nowhere";
+    expectOneLine(run(), {"/proc/nowhere"});
+}
+
+TEST_F(BadInput, FullDisk)
+{
+    for (const char* name :
+         {"trajectory.tum", "frames.csv", "map.csv", "map.3Dscene", "summary.json"})
+    {
+        fs::remove_all(out_);
+        fs::create_directory(out_);
+        fs::create_symlink("/dev/full", out_ + "/" + name);
+        expectOneLine(run("--force"), {name, "cannot be written"});
+    }
+}
+
+TEST_F(BadInput, InterruptLeavesCompleteOutputs)
+{
+    rewriteWith(exampleTimes(110));
+    const auto result = run("--pictures", "timeout --signal=INT 0.6");
+    if (result.status == 0) GTEST_SKIP() << "the run was over before the signal";
+    EXPECT_EQ(result.status, 124) << result.output;  // timeout's own, when the program ended by it
+    for (const char* name : {"trajectory.tum", "frames.csv", "map.csv", "map.ply", "summary.json"})
+    {
+        const std::string text = readText(out_ + "/" + name);
+        ASSERT_FALSE(text.empty()) << name;
+        EXPECT_EQ(text.back(), '\n') << name;
+    }
+    EXPECT_NE(readText(out_ + "/summary.json").find("\"interrupted\": true"), std::string::npos);
+}
+}  // namespace
+}  // namespace monoslam

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+
+#include "TemporaryFolder.h"
+#include "datasets.h"
+#include "runProgram.h"
+
+namespace monoslam
+{
+namespace
+{
+std::string quoted(const std::string& text)
+{
+    return "'" + text + "'";
+}
+
+std::string shipped(const std::string& name)
+{
+    return (sourceFolder() / name).string();
+}
+
+/** One number of a JSON file of ours. */
+double figure(const std::string& file, const std::string& key)
+{
+    const std::string text = readText(file);
+    std::smatch found;
+    const std::regex pattern("\"" + key + "\": *([-+.eE0-9]+)");
+    if (!std::regex_search(text, found, pattern)) throw std::runtime_error(file + ": no " + key);
+    return std::stod(found[1]);
+}
+
+/** Runs mono-slam and fails the test with its output if it does not end well. */
+void run(const std::string& arguments, const std::string& output, const std::string& prefix = {})
+{
+    const auto result = runProgram("mono-slam", arguments + " --output " + quoted(output), prefix);
+    ASSERT_EQ(result.status, 0) << result.output;
+}
+
+void evaluate(const std::string& truth, const std::string& output)
+{
+    const auto result =
+        runProgram("mono-slam-eval", "--groundtruth " + quoted(truth) + " " + quoted(output) +
+                                         " --json " + quoted(output + "/figures.json"));
+    ASSERT_EQ(result.status, 0) << result.output;
+}
+
+std::string makeRawlog(const std::filesystem::path& sequence, const std::string& rawlog)
+{
+    const auto result =
+        runProgram("images2rawlog", "--format tum --input " + quoted(sequence.string()) +
+                                        " --camera " + quoted((sequence / "camera.yaml").string()) +
+                                        " --output " + quoted(rawlog));
+    EXPECT_EQ(result.status, 0) << result.output;
+    return rawlog;
+}
+
+const std::string kDesk = quoted(shipped("config/desk.ini"));
+const std::string kShort = " --set rawlog.frame_count=40";
+}  // namespace
+
+TEST(Runs, ShippedSequenceIsMetricWithinThreeMillimetres)
+{
+    const TemporaryFolder folder;
+    const std::string output = folder / "out";
+    run(kDesk, output);
+    evaluate(shipped("datasets/desk/groundtruth.txt"), output);
+    EXPECT_LT(figure(output + "/figures.json", "SE3_ate_rmse_mm"), 3.0);
+    EXPECT_NEAR(figure(output + "/figures.json", "scale"), 1.0, 0.01);
+    EXPECT_EQ(figure(output + "/figures.json", "frames_lost"), 0.0);
+}
+
+TEST(Runs, SameSeedGivesTheSameBitsAlsoOnOneCore)
+{
+    const TemporaryFolder folder;
+    run(kDesk + kShort, folder / "a");
+    run(kDesk + kShort, folder / "b");
+    run(kDesk + kShort, folder / "c", "taskset -c 0");
+    run(kDesk + kShort + " --seed 2", folder / "d");
+    for (const std::string file : {"/trajectory.tum", "/covariance.csv", "/map.csv"})
+    {
+        const std::string first = readText(folder / ("a" + file));
+        EXPECT_FALSE(first.empty()) << file;
+        EXPECT_EQ(first, readText(folder / ("b" + file))) << file;
+        EXPECT_EQ(first, readText(folder / ("c" + file))) << file;
+        EXPECT_NE(first, readText(folder / ("d" + file))) << file;
+    }
+}
+
+TEST(Runs, DefaultConfigurationSaysWhatTheProgramDoesAnyway)
+{
+    const TemporaryFolder folder;
+    writeText(folder / "empty.ini", "[association]\n");
+    const std::string rawlog = " " + quoted(shipped("datasets/desk/desk.rawlog")) + kShort;
+    run(quoted(folder / "empty.ini") + rawlog, folder / "a");
+    run(quoted(shipped("config/default.ini")) + rawlog, folder / "b");
+    EXPECT_EQ(readText(folder / "a/trajectory.tum"), readText(folder / "b/trajectory.tum"));
+    const auto written =
+        runProgram("mono-slam", "--write-default-config " + quoted(folder / "written.ini"));
+    ASSERT_EQ(written.status, 0) << written.output;
+    EXPECT_EQ(readText(folder / "written.ini"), readText(shipped("config/default.ini")));
+}
+
+TEST(Runs, EveryStrategyFollowsTheShippedSequence)
+{
+    const TemporaryFolder folder;
+    for (const std::string strategy : {"none", "appearance_nn", "spatial_nn", "jcbb", "hohct"})
+    {
+        const std::string output = folder / strategy;
+        run(kDesk + kShort + " --set association.strategy=" + strategy, output);
+        evaluate(shipped("datasets/desk/groundtruth.txt"), output);
+        EXPECT_LT(figure(output + "/figures.json", "SE3_ate_rmse_mm"), 10.0) << strategy;
+    }
+    EXPECT_EQ(readText(folder / "none/trajectory.tum"),
+              readText(folder / "appearance_nn/trajectory.tum"));
+}
+
+TEST(Runs, FirstPapersSettingsAndMrptsFilterFollowTheShippedSequence)
+{
+    const TemporaryFolder folder;
+    const std::string target =
+        " --set metric_start.method=rectangle --set 'metric_start.rectangle_size_m=0.21 0.1485'";
+    const std::string rawlog = " " + quoted(shipped("datasets/desk/desk.rawlog"));
+    const std::string paper = quoted(shipped("config/guerra2013.ini")) + rawlog + target + kShort;
+    run(paper, folder / "paper");
+    const std::string mrpt = quoted(shipped("config/default.ini")) + rawlog + kShort +
+                             " --set filter.engine=mrpt --set initialization.covariance=paper"
+                             " --set map.convert_linearity=0 --set start.parallax_deg=[]";
+    run(mrpt, folder / "mrpt");
+    for (const std::string name : {"paper", "mrpt"})
+    {
+        evaluate(shipped("datasets/desk/groundtruth.txt"), folder / name);
+        EXPECT_EQ(figure(folder / (name + "/figures.json"), "frames_lost"), 0.0) << name;
+    }
+}
+
+TEST(Runs, RealChessboardSequenceIsMetric)
+{
+    const auto datasets = realDatasets();
+    if (!datasets) GTEST_SKIP() << noRealDatasets;
+    const TemporaryFolder folder;
+    const auto sequence = *datasets / "chessboard_desk";
+    const std::string rawlog = makeRawlog(sequence, folder / "board.rawlog");
+    const std::string output = folder / "out";
+    run(quoted(shipped("config/default.ini")) + " " + quoted(rawlog) +
+            " --set metric_start.method=chessboard"
+            " --set 'metric_start.chessboard_inner_corners=9 6'"
+            " --set metric_start.chessboard_square_m=0.04",
+        output);
+    evaluate((sequence / "groundtruth.txt").string(), output);
+    EXPECT_LT(figure(output + "/figures.json", "SE3_ate_rmse_mm"), 5.0);
+    EXPECT_NEAR(figure(output + "/figures.json", "scale"), 1.0, 0.02);
+}
+
+TEST(Runs, LivingRoomSequenceWithoutATargetKeepsItsScale)
+{
+    const auto datasets = realDatasets();
+    if (!datasets) GTEST_SKIP() << noRealDatasets;
+    const TemporaryFolder folder;
+    const auto sequence = *datasets / "living_room";
+    const std::string rawlog = makeRawlog(sequence, folder / "room.rawlog");
+    const std::string output = folder / "out";
+    run(quoted(shipped("config/default.ini")) + " " + quoted(rawlog), output);
+    evaluate((sequence / "groundtruth.txt").string(), output);
+    EXPECT_LT(figure(output + "/figures.json", "Sim3_ate_rmse_mm"), 6.0);
+    EXPECT_LT(std::abs(figure(output + "/figures.json", "scale_drift_pct")), 5.0);
+}
+}  // namespace monoslam
