@@ -6,6 +6,7 @@
 
 int main(int argc, char** argv)
 {
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // so that an error comes after what went before
     try
     {
         return monoslam::run(monoslam::parseArguments(argc, argv));

@@ -112,7 +112,9 @@ TEST(Runs, EveryStrategyFollowsTheShippedSequence)
         const std::string output = folder / strategy;
         run(kDesk + kShort + " --set association.strategy=" + strategy, output);
         evaluate(shipped("datasets/desk/groundtruth.txt"), output);
-        EXPECT_LT(figure(output + "/figures.json", "SE3_ate_rmse_mm"), 10.0) << strategy;
+        const bool validates = strategy == "jcbb" || strategy == "hohct";
+        EXPECT_LT(figure(output + "/figures.json", "SE3_ate_rmse_mm"), validates ? 5.0 : 30.0)
+            << strategy;
     }
     EXPECT_EQ(readText(folder / "none/trajectory.tum"),
               readText(folder / "appearance_nn/trajectory.tum"));

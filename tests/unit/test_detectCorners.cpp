@@ -72,7 +72,8 @@ TEST(DetectCorners, KeepsAwayFromTakenPixelsTheBorderAndEachOther)
 TEST(DetectCorners, SpreadsOverTheCells)
 {
     const auto image = textured();
-    const DetectionOptions options;
+    DetectionOptions options;
+    options.maxCells = 1000;
     std::map<std::pair<int, int>, int> perCell;
     const auto cellOf = [&](const Eigen::Vector2d& uv)
     {
@@ -81,7 +82,8 @@ TEST(DetectCorners, SpreadsOverTheCells)
     };
     const std::vector<Eigen::Vector2d> taken{{20, 20}, {100, 100}, {103, 118}, {90, 100}};
     for (const auto& pixel : taken) ++perCell[cellOf(pixel)];
-    for (const Corner& corner : detect(*image, taken, 1000, 1)) ++perCell[cellOf(corner.uv_px)];
+    for (const Corner& corner : detect(*image, taken, 1000, 1, options))
+        ++perCell[cellOf(corner.uv_px)];
     EXPECT_GT(perCell.size(), 40U);
     for (const auto& [cell, count] : perCell) EXPECT_LE(count, options.maxPerCell);
 }

@@ -48,8 +48,7 @@ const CloneSlot* Belief::findClone(CloneId id) const
 
 void Belief::checkInvariant() const
 {
-    if (P.rows() != size() || P.cols() != size())
-        throw std::logic_error("Belief: P is not N x N");
+    if (P.rows() != size() || P.cols() != size()) throw std::logic_error("Belief: P is not N x N");
     Eigen::Index next = 0;
     for (const auto& [offset, length] : blocksOf(*this))
     {

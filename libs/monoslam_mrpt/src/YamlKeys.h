@@ -14,7 +14,10 @@ namespace monoslam
 class YamlKeys
 {
    public:
-    YamlKeys(const mrpt::containers::yaml& root, std::string path) : root_(root), path_(std::move(path)) {}
+    YamlKeys(const mrpt::containers::yaml& root, std::string path)
+        : root_(root), path_(std::move(path))
+    {
+    }
 
     [[nodiscard]] bool has(const std::string& key) const { return root_.has(key); }
 

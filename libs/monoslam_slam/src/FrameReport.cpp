@@ -9,10 +9,14 @@ std::string name(TrackingState state)
 {
     switch (state)
     {
-        case TrackingState::Waiting: return "waiting";
-        case TrackingState::Tracking: return "tracking";
-        case TrackingState::Degraded: return "degraded";
-        case TrackingState::Lost: return "lost";
+        case TrackingState::Waiting:
+            return "waiting";
+        case TrackingState::Tracking:
+            return "tracking";
+        case TrackingState::Degraded:
+            return "degraded";
+        case TrackingState::Lost:
+            return "lost";
     }
     return "unknown";
 }

@@ -40,6 +40,8 @@ CornerTrackerOptions trackerOptions(const SearchOptions& search)
     o.warp.maxScale = search.max_scale;
     o.warp.maxViewAngle_rad = search.max_view_angle_deg * kDegree;
     o.align.sigmaFloor_px = search.sigma_floor_px;
+    o.align.noiseCorrelation =
+        std::max(1.0, 4.0 * M_PI * search.smoothing_px * search.smoothing_px);
     return o;
 }
 

@@ -59,8 +59,8 @@ void MapKeeper::noteFates(const std::vector<Association>& associations, long fra
 bool MapKeeper::isBad(const LandmarkRecord& record, long frame) const
 {
     const MapOptions& map = options_.map;
-    const auto recent = std::count_if(record.strikes.begin(), record.strikes.end(), [&](long at)
-                                      { return frame - at < map.strike_frames; });
+    const auto recent = std::count_if(record.strikes.begin(), record.strikes.end(),
+                                      [&](long at) { return frame - at < map.strike_frames; });
     if (map.delete_on_reject && recent > 0 && record.strikes.back() == frame) return true;
     if (!starting_ && recent >= map.strikes) return true;
     return record.searched > (starting_ ? 3 : 1) * map.min_searched &&
@@ -91,7 +91,10 @@ Mixture MapKeeper::removeBad(Mixture mixture, long frame)
     return mixture;
 }
 
-void MapKeeper::forget(LandmarkId id) { removed_ += static_cast<int>(records_.erase(id)); }
+void MapKeeper::forget(LandmarkId id)
+{
+    removed_ += static_cast<int>(records_.erase(id));
+}
 
 void MapKeeper::keepOnly(const Belief& belief)
 {
@@ -111,7 +114,8 @@ Mixture MapKeeper::boundState(Mixture mixture)
     std::vector<LandmarkId> order;
     for (const auto& [id, record] : records_)
         if (!record.known) order.push_back(id);
-    std::stable_sort(order.begin(), order.end(), [this](LandmarkId a, LandmarkId b)
+    std::stable_sort(order.begin(), order.end(),
+                     [this](LandmarkId a, LandmarkId b)
                      {
                          const LandmarkRecord& first = records_.at(a);
                          const LandmarkRecord& second = records_.at(b);
@@ -173,8 +177,8 @@ UndelayedPrior MapKeeper::priorNow(const Belief& belief) const
     }
     UndelayedPrior prior;
     prior.rho0 = options_.initialization.rho0;
-    prior.sigma_px = options_.search.subpixel ? options_.search.sigma_floor_px * 2.0
-                                              : options_.search.sigma_px;
+    prior.sigma_px =
+        options_.search.subpixel ? options_.search.sigma_floor_px * 2.0 : options_.search.sigma_px;
     if (!rho.empty())
     {
         const auto middle = rho.begin() + static_cast<std::ptrdiff_t>(rho.size() / 2);

@@ -80,15 +80,14 @@ double intersect(const cv::Point2d& first, const cv::Point2d& last, const Eigen:
 void interpolatePoses(Window& window, const Vector7d& last)
 {
     const Vector7d first = window.poses.front();
-    const Eigen::Vector3d turn = quaternionLog(
-        quaternionProduct(quaternionConjugate(first.tail<4>()), last.tail<4>()));
+    const Eigen::Vector3d turn =
+        quaternionLog(quaternionProduct(quaternionConjugate(first.tail<4>()), last.tail<4>()));
     for (std::size_t k = 0; k < window.poses.size(); ++k)
     {
-        const double part =
-            static_cast<double>(k) / static_cast<double>(window.poses.size() - 1);
+        const double part = static_cast<double>(k) / static_cast<double>(window.poses.size() - 1);
         window.poses[k].head<3>() = (1.0 - part) * first.head<3>() + part * last.head<3>();
-        window.poses[k].tail<4>() = normalizeQuaternion(
-            quaternionProduct(first.tail<4>(), quaternionExp(part * turn)));
+        window.poses[k].tail<4>() =
+            normalizeQuaternion(quaternionProduct(first.tail<4>(), quaternionExp(part * turn)));
     }
 }
 }  // namespace
@@ -123,8 +122,8 @@ std::optional<Window> twoViewGuess(Window window, const Camera& camera)
     for (std::size_t i = 0; i < common.landmarks.size(); ++i)
         depths.push_back(intersect(common.first[i], common.last[i], R, t));
     std::vector<double> sorted = depths;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                     sorted.end());
+    std::nth_element(sorted.begin(),
+                     sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
     const double median = sorted[sorted.size() / 2];
     if (!(median > 0.0)) return std::nullopt;
 

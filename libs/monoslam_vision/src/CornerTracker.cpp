@@ -56,7 +56,8 @@ PatchSearchRegion regionOf(const Band& band, const CornerTrackerOptions& options
     region.centre_px = length < 2.0 * options.maxReach_px
                            ? Eigen::Vector2d(0.5 * (band.near_px + band.far_px))
                            : band.middle_px;
-    region.S = reach * reach * unit * unit.transpose() + width * width * across * across.transpose();
+    region.S =
+        reach * reach * unit * unit.transpose() + width * width * across * across.transpose();
     region.gate = 1.0;
     region.minScore = options.minScore;
     region.maxPeaks = 2;
@@ -66,11 +67,9 @@ PatchSearchRegion regionOf(const Band& band, const CornerTrackerOptions& options
 
 std::optional<Eigen::Vector2d> find(const TrackedCorner& corner, const Band& band,
                                     const Belief& belief, const Camera& camera,
-                                    const PreparedImage& image,
-                                    const CornerTrackerOptions& options)
+                                    const PreparedImage& image, const CornerTrackerOptions& options)
 {
-    const auto warp =
-        predictWarp(camera, corner.born, belief.pose(), band.middle_w, options.warp);
+    const auto warp = predictWarp(camera, corner.born, belief.pose(), band.middle_w, options.warp);
     if (!warp) return std::nullopt;
     const auto patch = samplePatch(corner.born, *warp, options.half_px);
     if (!patch) return std::nullopt;
@@ -95,9 +94,10 @@ void refineDepth(TrackedCorner& corner, const Belief& belief, const Camera& came
     if (!(distance > 1e-6)) return;
     corner.rho = 1.0 / distance;
     const double sigmaAngle = 1.0 / camera.parameters().fx_px;
-    corner.sigma_rho = std::min(
-        corner.sigma_rho,
-        2.0 * corner.rho * sigmaAngle / std::sin(corner.triangulation->alpha_rad) + 0.02 * corner.rho);
+    corner.sigma_rho =
+        std::min(corner.sigma_rho,
+                 2.0 * corner.rho * sigmaAngle / std::sin(corner.triangulation->alpha_rad) +
+                     0.02 * corner.rho);
 }
 }  // namespace
 

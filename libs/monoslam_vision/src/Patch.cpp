@@ -74,6 +74,7 @@ void centre(Patch& patch)
             sum += static_cast<double>(patch.at(dx, dy));
     const double mean = sum / (side * side);
     double squares = 0.0;
+    patch.centredSum = 0.0;
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x)
         {
@@ -81,9 +82,11 @@ void centre(Patch& patch)
                 static_cast<double>(patch.at(x - patch.half_px, y - patch.half_px)) - mean;
             const auto fixed = static_cast<std::int16_t>(std::lround(value * kFixedPoint));
             patch.centred[static_cast<std::size_t>(y * patch.stride + x)] = fixed;
+            patch.centredSum += fixed;
             squares += static_cast<double>(fixed) * fixed;
         }
-    patch.norm = std::sqrt(squares);
+    patch.norm =
+        std::sqrt(std::max(squares - patch.centredSum * patch.centredSum / (side * side), 0.0));
     patch.deviation = patch.norm / (kFixedPoint * side);
 }
 }  // namespace

@@ -55,13 +55,14 @@ bool sampleAround(const PreparedImage& image, const Eigen::Vector2d& uv, int hal
 }
 
 AlignedPatch summarize(const Eigen::Vector2d& uv, const Design& A, const Eigen::Vector4d& fit,
-                       const Eigen::VectorXd& samples, double floor_px)
+                       const Eigen::VectorXd& samples, const AlignOptions& options)
 {
     const double freedom = static_cast<double>(A.rows() - A.cols());
     const double variance = (samples - A * fit).squaredNorm() / freedom;
     const Eigen::Vector4d gainFree(fit(2), fit(2), 1.0, 1.0);
     const Eigen::Matrix4d normal = A.transpose() * A;
-    const Eigen::Matrix4d covariance = normal.inverse() * variance;
+    const Eigen::Matrix4d covariance = normal.inverse() * (options.noiseCorrelation * variance);
+    const double floor_px = options.sigmaFloor_px;
     AlignedPatch aligned;
     aligned.uv_px = uv;
     aligned.R = covariance.topLeftCorner<2, 2>() / (fit(2) * fit(2)) +
@@ -72,8 +73,7 @@ AlignedPatch summarize(const Eigen::Vector2d& uv, const Design& A, const Eigen::
 }  // namespace
 
 std::optional<AlignedPatch> alignPatch(const PreparedImage& image, const Patch& patch,
-                                       const Eigen::Vector2d& start_px,
-                                       const AlignOptions& options)
+                                       const Eigen::Vector2d& start_px, const AlignOptions& options)
 {
     const Design A = designOf(patch);
     const Eigen::Matrix4d normal = A.transpose() * A;
@@ -89,7 +89,7 @@ std::optional<AlignedPatch> alignPatch(const PreparedImage& image, const Patch& 
         uv -= delta;
         if ((uv - start_px).norm() > options.maxMove_px) return std::nullopt;
         if (delta.norm() > options.convergence_px) continue;
-        const AlignedPatch aligned = summarize(uv, A, fit, samples, options.sigmaFloor_px);
+        const AlignedPatch aligned = summarize(uv, A, fit, samples, options);
         if (aligned.residual > options.maxResidual * fit(2) * patch.deviation) return std::nullopt;
         return aligned;
     }

@@ -28,8 +28,7 @@ std::vector<Cell> makeGrid(const PreparedImage& image, const std::vector<Eigen::
 {
     std::vector<Cell> cells;
     const int border = static_cast<int>(options.border_px);
-    const cv::Rect inner(border, border, image.width_px - 2 * border,
-                         image.height_px - 2 * border);
+    const cv::Rect inner(border, border, image.width_px - 2 * border, image.height_px - 2 * border);
     for (int row = 0; row < options.gridRows; ++row)
         for (int column = 0; column < options.gridColumns; ++column)
         {
@@ -39,8 +38,8 @@ std::vector<Cell> makeGrid(const PreparedImage& image, const std::vector<Eigen::
             const int bottom = image.height_px * (row + 1) / options.gridRows;
             Cell cell{cv::Rect(left, top, right - left, bottom - top), 0};
             for (const auto& pixel : taken)
-                if (cell.box.contains(cv::Point(static_cast<int>(pixel.x()),
-                                                static_cast<int>(pixel.y()))))
+                if (cell.box.contains(
+                        cv::Point(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()))))
                     ++cell.count;
             cell.box &= inner;
             cells.push_back(cell);
@@ -87,7 +86,8 @@ std::vector<std::size_t> emptiestFirst(const std::vector<Cell>& cells, std::mt19
     std::vector<std::size_t> order(cells.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::shuffle(order.begin(), order.end(), rng);
-    std::stable_sort(order.begin(), order.end(), [&cells](std::size_t a, std::size_t b)
+    std::stable_sort(order.begin(), order.end(),
+                     [&cells](std::size_t a, std::size_t b)
                      { return cells[a].count < cells[b].count; });
     return order;
 }
@@ -108,11 +108,9 @@ std::vector<Corner> detectCorners(const PreparedImage& image,
             if (static_cast<int>(corners.size()) >= wanted) return corners;
             Cell& cell = cells[index];
             if (budget <= 0) return corners;
-            if (cell.count > round || cell.box.width < kBlock || cell.box.height < kBlock)
-                continue;
+            if (cell.count > round || cell.box.width < kBlock || cell.box.height < kBlock) continue;
             --budget;
-            const cv::Mat map =
-                responses(image, cell.box, occupied, options.minDistance_px);
+            const cv::Mat map = responses(image, cell.box, occupied, options.minDistance_px);
             double best = 0.0;
             cv::Point at;
             cv::minMaxLoc(map, nullptr, &best, nullptr, &at);

@@ -117,9 +117,10 @@ void keepSeparate(std::vector<CorrelationPeak>& peaks, const PatchSearchRegion& 
     for (const auto& peak : peaks)
     {
         if (static_cast<int>(kept.size()) >= region.maxPeaks) break;
-        const bool separate = std::none_of(
-            kept.begin(), kept.end(), [&](const CorrelationPeak& other)
-            { return (other.uv_px - peak.uv_px).norm() < region.peakDistance_px; });
+        const bool separate =
+            std::none_of(kept.begin(), kept.end(),
+                         [&](const CorrelationPeak& other)
+                         { return (other.uv_px - peak.uv_px).norm() < region.peakDistance_px; });
         if (separate) kept.push_back(peak);
     }
     peaks = std::move(kept);
@@ -137,7 +138,8 @@ double correlate(const PreparedImage& image, const Patch& patch, int u, int v)
     const double squares = boxSum<double>(image.squareSum, left, top, side);
     const double spread = squares - sum * sum / (side * side);
     if (spread < kFlat || patch.norm <= 0.0) return -1.0;
-    return crossSum(image, patch, left, top) / (patch.norm * std::sqrt(spread));
+    const double cross = crossSum(image, patch, left, top) - patch.centredSum * sum / (side * side);
+    return cross / (patch.norm * std::sqrt(spread));
 }
 
 PatchSearch searchPatch(const PreparedImage& image, const Patch& patch,

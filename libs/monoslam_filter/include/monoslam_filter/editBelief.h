@@ -30,9 +30,9 @@ struct UndelayedPrior
 /** The first view of a delayed candidate: a clone in the state, or the paper's stored pose. */
 struct FirstView
 {
-    CloneId clone = -1;     ///< >= 0: the pose is this clone, with all its correlations
-    Vector7d pose;          ///< used when clone < 0: "paper" mode
-    Vector7d variance;      ///< diagonal of P at that time, "paper" mode
+    CloneId clone = -1;  ///< >= 0: the pose is this clone, with all its correlations
+    Vector7d pose;       ///< used when clone < 0: "paper" mode
+    Vector7d variance;   ///< diagonal of P at that time, "paper" mode
     Eigen::Vector2d uv_px;
 };
 
@@ -44,8 +44,8 @@ struct FirstView
  * \param sigma_px  of both pixels; \param sigma_floor  sigma_rho >= sigma_floor * rho */
 [[nodiscard]] MONOSLAM_FILTER_EXPORT Belief addTriangulated(Belief belief, LandmarkId id,
                                                             const Triangulation& triangulation,
-                                                            const FirstView& first,
-                                                            double sigma_px, double sigma_floor);
+                                                            const FirstView& first, double sigma_px,
+                                                            double sigma_floor);
 
 /** Appends a 3-D point with covariance P_p, independent of the state. */
 [[nodiscard]] MONOSLAM_FILTER_EXPORT Belief addPoint(Belief belief, LandmarkId id,

@@ -34,14 +34,13 @@ struct PixelMeasurement
  * Equals x + K nu and P - K S K' without an inverse. Quaternions are normalised. If S is not
  * positive definite R is inflated by a tenth once and \p faults is counted up.
  * \throw std::runtime_error if S stays indefinite */
-[[nodiscard]] MONOSLAM_FILTER_EXPORT Belief ekfUpdate(
-    Belief prior, const Prediction& prediction, const std::vector<PixelMeasurement>& pixels,
-    int* faults = nullptr);
+[[nodiscard]] MONOSLAM_FILTER_EXPORT Belief ekfUpdate(Belief prior, const Prediction& prediction,
+                                                      const std::vector<PixelMeasurement>& pixels,
+                                                      int* faults = nullptr);
 
 /** Only the mean of that correction: x + P H' S^-1 nu, quaternions normalised; O(N m). */
 [[nodiscard]] MONOSLAM_FILTER_EXPORT Eigen::VectorXd ekfUpdateMean(
-    const Belief& prior, const Prediction& prediction,
-    const std::vector<PixelMeasurement>& pixels);
+    const Belief& prior, const Prediction& prediction, const std::vector<PixelMeasurement>& pixels);
 
 /** Joint S = H P H' + block-diag(R) [px^2] and nu = z - h [px] of some pixels. */
 struct JointInnovation

@@ -28,7 +28,7 @@ struct PredictedLandmark
 struct Prediction
 {
     std::vector<PredictedLandmark> rows;
-    Eigen::MatrixXd PHt;  ///< P H', N x 2m
+    Eigen::MatrixXd PHt;   ///< P H', N x 2m
     Eigen::MatrixXd HPHt;  ///< H P H' without R, 2m x 2m: the joint S is this plus block-diag(R)
 
     [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(rows.size()); }
@@ -46,7 +46,7 @@ struct VisibilityOptions
  *      PHt = P(:, v) H_v' + P(:, y) H_y',   HPHt = H PHt                     (sparse: 13 + 6 columns)
  *
  * O(N m) and O(m^2). \param admit  called with the index in belief.landmarks; false leaves it out */
-[[nodiscard]] MONOSLAM_FILTER_EXPORT Prediction predictMeasurements(
-    const Belief& belief, const Camera& camera, const VisibilityOptions& options,
-    const std::function<bool(Eigen::Index)>& admit = {});
+[[nodiscard]] MONOSLAM_FILTER_EXPORT Prediction
+predictMeasurements(const Belief& belief, const Camera& camera, const VisibilityOptions& options,
+                    const std::function<bool(Eigen::Index)>& admit = {});
 }  // namespace monoslam

@@ -15,9 +15,9 @@ namespace monoslam
 struct WindowLandmark
 {
     LandmarkKind kind = LandmarkKind::InverseDepth;
-    Eigen::VectorXd y;                                            ///< six or three numbers
-    Eigen::Vector3d priorMean = Eigen::Vector3d::Zero();          ///< of the free numbers
-    Eigen::Vector3d priorInformation = Eigen::Vector3d::Zero();   ///< 1 / variance, 0 = none
+    Eigen::VectorXd y;                                           ///< six or three numbers
+    Eigen::Vector3d priorMean = Eigen::Vector3d::Zero();         ///< of the free numbers
+    Eigen::Vector3d priorInformation = Eigen::Vector3d::Zero();  ///< 1 / variance, 0 = none
 };
 
 struct WindowObservation
@@ -52,10 +52,10 @@ struct SmoothedWindow
 {
     std::vector<Vector7d> poses;
     std::vector<WindowLandmark> landmarks;
-    std::vector<bool> inlier;     ///< of each observation
-    bool usable = false;          ///< false if the pixels leave some view or landmark undetermined
-    double cost = 0.0;            ///< halved squared sigmas, each cut at the outlier threshold
-    double meanChi2 = 0.0;        ///< of the inliers, 2 when all is well
+    std::vector<bool> inlier;  ///< of each observation
+    bool usable = false;       ///< false if the pixels leave some view or landmark undetermined
+    double cost = 0.0;         ///< halved squared sigmas, each cut at the outlier threshold
+    double meanChi2 = 0.0;     ///< of the inliers, 2 when all is well
     int iterations = 0;
     /** Covariance of (dr, dtheta) of the first view, of the last but one and of the last, then of the
      *  three free numbers of each landmark. */

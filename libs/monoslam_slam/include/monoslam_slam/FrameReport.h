@@ -13,7 +13,7 @@ namespace monoslam
 {
 enum class TrackingState
 {
-    Waiting,   ///< for the metric target; there is no pose yet
+    Waiting,  ///< for the metric target; there is no pose yet
     Tracking,
     Degraded,  ///< running, but a self-check of scale, residual or count fails: do not trust blindly
     Lost,      ///< predicting only
@@ -43,7 +43,7 @@ struct FrameReport
     std::string remark;  ///< why degraded, lost or waiting; empty otherwise
     Vector13d x_v = Vector13d::Zero();
     Matrix13d P_v = Matrix13d::Zero();
-    int landmarks = 0;   ///< in the state
+    int landmarks = 0;  ///< in the state
     int visible = 0;
     int candidates = 0;  ///< tracked outside the filter
     int matched = 0;
@@ -59,7 +59,7 @@ struct FrameReport
 
 /** 6 x 6 covariance of (dr in the world [m], dtheta in the camera frame [rad]) of a camera state. */
 [[nodiscard]] MONOSLAM_SLAM_EXPORT Eigen::Matrix<double, 6, 6> poseCovariance(const Vector13d& x_v,
-                                                                             const Matrix13d& P_v);
+                                                                              const Matrix13d& P_v);
 
 /** One landmark of the map as it is written. */
 struct MapLandmark
@@ -69,9 +69,9 @@ struct MapLandmark
     Eigen::VectorXd y;    ///< 6 or 3 numbers
     Eigen::MatrixXd P_y;  ///< their covariance
     int timesSeen = 0;
-    long lastSeen = -1;   ///< frame index
-    bool known = false;   ///< one of the metric target's points
-    long bornFrame = 0;   ///< frame index of its appearance
+    long lastSeen = -1;                                 ///< frame index
+    bool known = false;                                 ///< one of the metric target's points
+    long bornFrame = 0;                                 ///< frame index of its appearance
     Eigen::Vector2d born_px = Eigen::Vector2d::Zero();  ///< its pixel there
 };
 }  // namespace monoslam

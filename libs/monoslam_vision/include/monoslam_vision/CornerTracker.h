@@ -20,8 +20,8 @@ struct TrackedCorner
     LandmarkId id = -1;
     Appearance born;
     FirstView first;
-    Eigen::Vector2d uv_px;     ///< where it was seen last
-    double rho = 1.0;          ///< best guess of 1 / distance from the first camera
+    Eigen::Vector2d uv_px;  ///< where it was seen last
+    double rho = 1.0;       ///< best guess of 1 / distance from the first camera
     double sigma_rho = 0.5;
     int seen = 1;
     int missed = 0;
@@ -34,12 +34,12 @@ struct CornerTrackerOptions
 {
     double minScore = 0.8;
     int half_px = 6;
-    double minHalfWidth_px = 3.0;   ///< of the band along the ray
+    double minHalfWidth_px = 3.0;  ///< of the band along the ray
     double maxHalfWidth_px = 12.0;
-    double maxReach_px = 40.0;      ///< half length of the band
+    double maxReach_px = 40.0;  ///< half length of the band
     int maxMissedInRow = 3;
     int maxAge_frames = 300;
-    double uniqueness = 0.05;       ///< the best peak beats one 5 px away by this much
+    double uniqueness = 0.05;  ///< the best peak beats one 5 px away by this much
     WarpLimits warp;
     AlignOptions align;
 };

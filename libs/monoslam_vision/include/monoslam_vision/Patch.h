@@ -25,12 +25,13 @@ struct Appearance
 /** A landmark's expected appearance in one frame, sampled on the pixel grid around its centre. */
 struct Patch
 {
-    int half_px = 0;                      ///< (2 half + 1)^2 pixels
-    std::vector<float> grey;              ///< with a ring of one pixel around, for gradients
-    std::vector<std::int16_t> centred;    ///< zero mean, fixed point, rows padded to a block
-    int stride = 0;                       ///< of centred
-    double norm = 0.0;                    ///< |centred|
-    double deviation = 0.0;               ///< standard deviation of the pixels [grey levels]
+    int half_px = 0;                    ///< (2 half + 1)^2 pixels
+    std::vector<float> grey;            ///< with a ring of one pixel around, for gradients
+    std::vector<std::int16_t> centred;  ///< zero mean, fixed point, rows padded to a block
+    int stride = 0;                     ///< of centred
+    double centredSum = 0.0;            ///< of centred: what rounding left of its mean
+    double norm = 0.0;                  ///< of centred about its mean
+    double deviation = 0.0;             ///< standard deviation of the pixels [grey levels]
 
     [[nodiscard]] int side() const { return 2 * half_px + 1; }
     [[nodiscard]] float at(int dx, int dy) const

@@ -16,13 +16,16 @@ struct AlignOptions
     double convergence_px = 0.01;
     double maxMove_px = 1.5;         ///< from the integer peak
     double sigmaFloor_px = 0.1;      ///< added in quadrature to the noise
+    double noiseCorrelation = 6.16;  ///< 4 pi s^2: smoothing by s = 0.7 px makes the noise of
+                                     ///< neighbouring pixels alike; 1 = white
     double maxResidual = 0.5;        ///< residual deviation over the patch's, after gain and offset
 };
 
 struct AlignedPatch
 {
     Eigen::Vector2d uv_px;
-    Eigen::Matrix2d R;      ///< sigma_I^2 (sum grad grad')^-1 + floor^2 I [px^2]
+    Eigen::Matrix2d
+        R;  ///< c sigma_I^2 (sum grad grad')^-1 + floor^2 I, c = noiseCorrelation [px^2]
     double residual = 0.0;  ///< rms [grey levels]
 };
 

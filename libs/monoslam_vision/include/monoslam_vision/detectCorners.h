@@ -22,8 +22,8 @@ struct DetectionOptions
     double minResponse = 2e-5;       ///< least smaller eigenvalue, absolute (grey range 1)
     double maxSelfSimilarity = 0.9;  ///< ZNCC with its own surroundings; 1 = off
     double similarityRadius_px = 12.0;
-    int half_px = 6;                 ///< of the patch
-    int maxCells = 12;               ///< looked into per call once some landmarks exist
+    int half_px = 6;    ///< of the patch
+    int maxCells = 12;  ///< looked into per call once some landmarks exist
 };
 
 struct Corner

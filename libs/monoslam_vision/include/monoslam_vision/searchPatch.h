@@ -27,9 +27,9 @@ struct PatchSearch
 struct PatchSearchRegion
 {
     Eigen::Vector2d centre_px;
-    Eigen::Matrix2d S;           ///< [px^2]
-    double gate = 9.21;          ///< (p - centre)' S^-1 (p - centre) < gate
-    double minScore = 0.8;       ///< ZNCC
+    Eigen::Matrix2d S;      ///< [px^2]
+    double gate = 9.21;     ///< (p - centre)' S^-1 (p - centre) < gate
+    double minScore = 0.8;  ///< ZNCC
     int maxPeaks = 1;
     double peakDistance_px = 3;  ///< between two peaks
 };
