@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# One experiment, built and run; the table goes to the terminal and to build/experiments/NAME.md.
+#     apps/experiments/run.sh front-end|validation DEPTH_FOLDER_OF_DESK
+set -euo pipefail
+[[ $# -eq 2 && $1 =~ ^(front-end|validation)$ ]] ||
+    { echo "usage: $0 front-end|validation DEPTH_FOLDER_OF_DESK" >&2; exit 2; }
+depth=$(realpath "$2")
+cd "$(dirname "$0")/../.."
+program=build/release/bin/experiment-$1
+output=build/experiments
+mkdir -p "$output"
+cmake --preset release -D MONOSLAM_BUILD_EXPERIMENTS=ON >&2
+cmake --build --preset release --target "experiment-$1" >&2
+
+if [[ $1 == front-end ]]; then
+    "$program" config/desk.ini datasets/desk "$depth" | tee "$output/$1.md"
+else
+    {
+        printf '\n### desk\n\n'
+        "$program" config/desk.ini datasets/desk "$depth" "$output/desk" 60 120 180
+        printf '\n### desk_moving\n\n'
+        "$program" config/desk.ini datasets/desk_moving motion "$output/moving" 40 60 80 100
+    } | tee "$output/$1.md"
+fi
