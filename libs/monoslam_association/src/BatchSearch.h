@@ -23,8 +23,11 @@ class BatchSearch
     };
 
     BatchSearch(Prediction prediction, const FrameView& view, const Settings& settings);
+    ~BatchSearch() = default;
     BatchSearch(const BatchSearch&) = delete;
     BatchSearch& operator=(const BatchSearch&) = delete;
+    BatchSearch(BatchSearch&&) = delete;
+    BatchSearch& operator=(BatchSearch&&) = delete;
 
     /** The oldest landmarks that are far enough from each other, in their own gates. */
     void searchFirstStage();

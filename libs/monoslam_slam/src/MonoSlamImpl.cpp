@@ -62,7 +62,8 @@ Correction MonoSlam::Impl::correct(const FrameContext& context)
     search.sigma_floor_px = noise.floor_px();
     LandmarkFinder finder(camera, *context.image, search, keeper.records(), expected);
     VisibilityOptions visibility;
-    visibility.border_px = options.search.patch_px / 2 + 2.0;
+    const int half_px = options.search.patch_px / 2;
+    visibility.border_px = half_px + 2.0;
     visibility.sigma_px = birthSigma_px();
     FrameView view;
     view.predict = [&](const Belief& belief)

@@ -41,7 +41,7 @@ MonoSlamOptions MonoSlamOptions::from(const mrpt::config::CConfigFileBase& file,
     o.search = SearchOptions::from(section("search"));
     o.detection = detectionFrom(section("detection"));
     o.detection.half_px = o.search.patch_px / 2;
-    o.detection.border_px = o.search.patch_px / 2 + 4.0;
+    o.detection.border_px = o.detection.half_px + 4.0;
     o.initialization = InitializationOptions::from(section("initialization"));
     o.start = StartOptions::from(section("start"));
     o.map = MapOptions::from(section("map"));

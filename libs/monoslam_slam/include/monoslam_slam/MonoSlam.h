@@ -35,6 +35,8 @@ class MONOSLAM_SLAM_EXPORT MonoSlam
     ~MonoSlam();
     MonoSlam(MonoSlam&&) noexcept;
     MonoSlam& operator=(MonoSlam&&) noexcept;
+    MonoSlam(const MonoSlam&) = delete;
+    MonoSlam& operator=(const MonoSlam&) = delete;
 
     /** \throw std::invalid_argument on an image of the wrong size or type, or time not increasing */
     FrameReport process(const Frame& frame);
