@@ -43,6 +43,7 @@ void describe(const RawlogReader& reader, const Config& config)
     if (!reader.gaps().empty())
         std::printf("%zu gaps in time, the first: %s\n", reader.gaps().size(),
                     reader.gaps().front().c_str());
+    std::fflush(stdout);
 }
 
 void processAll(RawlogReader& reader, MonoSlam& slam, RunOutputs& outputs)

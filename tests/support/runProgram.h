@@ -17,14 +17,11 @@ struct ProgramResult
     std::string output;  ///< stdout and stderr
 };
 
-/** Runs one of our programs through the shell. \param prefix  before its name, such as "timeout 1" */
-inline ProgramResult runProgram(const std::string& name, const std::string& arguments,
-                                const std::string& prefix = {})
+/** Runs a command line through the shell. */
+inline ProgramResult runShell(const std::string& command)
 {
-    const std::string command =
-        prefix + " '" + (programFolder() / name).string() + "' " + arguments + " 2>&1";
     ProgramResult result;
-    FILE* pipe = popen(command.c_str(), "r");
+    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
     if (pipe == nullptr) return result;
     std::array<char, 4096> buffer{};
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
@@ -32,5 +29,17 @@ inline ProgramResult runProgram(const std::string& name, const std::string& argu
     const int status = pclose(pipe);
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return result;
+}
+
+inline std::string quotedProgram(const std::string& name)
+{
+    return "'" + (programFolder() / name).string() + "'";
+}
+
+/** Runs one of our programs. \param prefix  before its name, such as "taskset -c 0" */
+inline ProgramResult runProgram(const std::string& name, const std::string& arguments,
+                                const std::string& prefix = {})
+{
+    return runShell(prefix + " " + quotedProgram(name) + " " + arguments);
 }
 }  // namespace monoslam

@@ -29,13 +29,38 @@ CPose3D poseOf(const Vector7d& pose)
     return CPose3D(q, pose[0], pose[1], pose[2]);
 }
 
-/** What lengths of symbols relate to: the extent of the path, or of the nearest landmarks. */
-double extentOf(const std::vector<Vector7d>& path)
+/** What the sizes of symbols relate to: the extent of the path, or the landmarks' distance. */
+double extentOf(const std::vector<Vector7d>& path, const std::vector<MapLandmark>& map)
 {
-    double extent = 0.1;
+    if (path.empty()) return 1.0;
+    double extent = 0.0;
     for (const auto& pose : path)
         extent = std::max(extent, (pose.head<3>() - path.front().head<3>()).norm());
-    return extent;
+    std::vector<double> distances;
+    for (const auto& landmark : map)
+        if (const auto point = pointOf(landmark))
+            distances.push_back((point->p - path.back().head<3>()).norm());
+    const auto middle = distances.begin() + static_cast<long>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    return std::max(extent, distances.empty() ? 0.1 : *middle);
+}
+
+/** A pyramid that opens along the camera's z, of that length. */
+CSetOfLines::Ptr cameraOf(const Vector7d& pose, double length)
+{
+    auto camera = CSetOfLines::Create();
+    camera->setColor_u8(0xd0, 0x60, 0x00);
+    camera->setLineWidth(3.0f);
+    const double x = 0.6 * length, y = 0.45 * length;
+    const double corners[5][2] = {{-x, -y}, {x, -y}, {x, y}, {-x, y}, {-x, -y}};
+    for (int i = 0; i < 4; ++i)
+    {
+        camera->appendLine(0.0, 0.0, 0.0, corners[i][0], corners[i][1], length);
+        camera->appendLine(corners[i][0], corners[i][1], length, corners[i + 1][0],
+                           corners[i + 1][1], length);
+    }
+    camera->setPose(poseOf(pose));
+    return camera;
 }
 
 CSetOfLines::Ptr linesOf(const std::vector<Vector7d>& path)
@@ -67,10 +92,12 @@ CEllipsoid3D::Ptr ellipsoidOf(const LandmarkPoint& point, bool known)
 COpenGLScene::Ptr scene3d(const std::vector<Vector7d>& path, const std::vector<MapLandmark>& map)
 {
     auto scene = COpenGLScene::Create();
-    const double extent = path.empty() ? 1.0 : extentOf(path);
+    const double extent = extentOf(path, map);
     const auto size = static_cast<float>(2.0 * extent);
-    scene->insert(CGridPlaneXY::Create(-size, size, -size, size, 0.0f, size / 10.0f));
-    scene->insert(stock_objects::CornerXYZSimple(static_cast<float>(0.2 * extent), 2.0f));
+    auto grid = CGridPlaneXY::Create(-size, size, -size, size, 0.0f, size / 10.0f);
+    grid->setColor_u8(0xc0, 0xc0, 0xc0);
+    scene->insert(grid);
+    scene->insert(stock_objects::CornerXYZSimple(static_cast<float>(0.1 * extent), 2.0f));
     auto points = CPointCloud::Create();
     points->setPointSize(3.0f);
     points->setColor_u8(0x00, 0x60, 0x10);
@@ -85,9 +112,10 @@ COpenGLScene::Ptr scene3d(const std::vector<Vector7d>& path, const std::vector<M
     scene->insert(points);
     if (path.empty()) return scene;
     scene->insert(linesOf(path));
-    auto camera = stock_objects::CornerXYZSimple(static_cast<float>(0.3 * extent), 4.0f);
-    camera->setPose(poseOf(path.back()));
-    scene->insert(camera);
+    scene->insert(cameraOf(path.back(), 0.1 * extent));
+    auto& view = scene->getViewport()->getCamera();
+    view.setZoomDistance(static_cast<float>(3.0 * extent));
+    view.setPointingAt(path.back()[0], path.back()[1], path.back()[2]);
     return scene;
 }
 
