@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <vector>
 
 #include "texture.h"
@@ -20,6 +21,7 @@ struct Alignments
 {
     std::vector<Eigen::Vector2d> errors;
     std::vector<Eigen::Matrix2d> R;
+    std::vector<Eigen::Vector2d> slopes;
     int failed = 0;
 
     [[nodiscard]] Eigen::Vector2d mean() const
@@ -49,7 +51,27 @@ struct Case
     double gain = 1.0;
     double offset_grey = 0.0;
     Eigen::Matrix2d warp = Eigen::Matrix2d::Identity();  ///< from offsets now to offsets at birth
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();     ///< missing from the predicted warp
+    double sigmaSlope = 0.0;                             ///< expected of it; 0 = none
 };
+
+/** Stretch per unit of slope, as a baseline along u would give. */
+const std::array<Eigen::Matrix2d, 2> kStretch{(Eigen::Matrix2d() << 0.4, 0.0, 0.0, 0.0).finished(),
+                                              (Eigen::Matrix2d() << 0.0, 0.4, 0.0, 0.0).finished()};
+
+/** What the filter would predict: the true warp but for the slope. */
+PredictedWarp warpOf(const Case& what)
+{
+    PredictedWarp warp;
+    Eigen::Matrix2d bent = Eigen::Matrix2d::Identity();
+    for (std::size_t k = 0; k < 2; ++k)
+        bent += kStretch[k] * what.slope(static_cast<Eigen::Index>(k));
+    warp.M = what.warp * bent.inverse();
+    if (what.sigmaSlope <= 0.0) return warp;
+    for (std::size_t k = 0; k < 2; ++k) warp.J_M_s[k] = warp.M * kStretch[k];
+    warp.slope.information = Eigen::Matrix2d::Identity() / (what.sigmaSlope * what.sigmaSlope);
+    return warp;
+}
 
 Alignments alignMany(const Case& what, int count, double floor_px)
 {
@@ -76,7 +98,7 @@ Alignments alignMany(const Case& what, int count, double floor_px)
         appearance.uv_px.setConstant(kMiddle_px);
         const auto image =
             prepareImage(renderImage(kSide_px, kSide_px, now, what.noise_grey, 2 * seed + 1), 0.7);
-        const auto patch = samplePatch(appearance, what.warp, 6);
+        const auto patch = samplePatch(appearance, warpOf(what), 6);
         const Eigen::Vector2d start(std::round(truth.x()), std::round(truth.y()));
         const auto aligned = alignPatch(*image, *patch, start, options);
         if (!aligned)
@@ -86,6 +108,7 @@ Alignments alignMany(const Case& what, int count, double floor_px)
         }
         result.errors.emplace_back(aligned->uv_px - truth);
         result.R.push_back(aligned->R);
+        result.slopes.push_back(aligned->slope.mean);
     }
     return result;
 }
@@ -124,6 +147,38 @@ TEST(AlignPatch, FindsShiftsThroughAWarp)
     }
 }
 
+TEST(AlignPatch, FindsTheSlopeThatTheWarpDoesNotKnow)
+{
+    Case slanted;
+    slanted.slope << 0.5, -0.3;
+    slanted.sigmaSlope = 0.5;
+    const Alignments found = alignMany(slanted, 200, 0.0);
+    EXPECT_LE(found.failed, 2);
+    EXPECT_LT(found.mean().norm(), 0.005);
+    EXPECT_LT(found.rms(), 0.02);
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const auto& slope : found.slopes) mean += slope / static_cast<double>(found.slopes.size());
+    EXPECT_LT((mean - slanted.slope).norm(), 0.03);
+
+    slanted.sigmaSlope = 0.0;  // the same warp taken for certain shifts the match
+    EXPECT_GT(alignMany(slanted, 200, 0.0).rms(), 2.0 * found.rms());
+}
+
+TEST(AlignPatch, KeepsTheExpectedSlopeWhereTheStretchDoesNotShowIt)
+{
+    Case same;
+    same.sigmaSlope = 1e-3;
+    const Alignments free = alignMany({4.0}, 100, 0.0);
+    same.noise_grey = 4.0;
+    const Alignments held = alignMany(same, 100, 0.0);
+    ASSERT_EQ(free.R.size(), held.R.size());
+    for (std::size_t i = 0; i < free.R.size(); ++i)
+    {
+        EXPECT_LT((free.errors[i] - held.errors[i]).norm(), 1e-2);
+        EXPECT_LT((free.R[i] - held.R[i]).norm(), 0.05 * free.R[i].norm());
+    }
+}
+
 TEST(AlignPatch, ReportsTheNoiseThatItHas)
 {
     const Alignments found = alignMany({4.0}, 400, 0.0);
@@ -149,7 +204,7 @@ TEST(AlignPatch, RefusesAnotherPictureAndTheBorder)
     born.image = prepareImage(
         renderImage(kSide_px, kSide_px, [&](double u, double v) { return texture.at(u, v); }), 0.7);
     born.uv_px.setConstant(kMiddle_px);
-    const auto patch = samplePatch(born, Eigen::Matrix2d::Identity(), 6);
+    const auto patch = samplePatch(born, PredictedWarp{}, 6);
     const auto strange = prepareImage(
         renderImage(kSide_px, kSide_px, [&](double u, double v) { return other.at(u, v); }), 0.7);
     EXPECT_FALSE(alignPatch(*strange, *patch, {kMiddle_px, kMiddle_px}, {}));

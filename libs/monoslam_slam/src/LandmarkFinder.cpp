@@ -89,6 +89,7 @@ SearchResult LandmarkFinder::search(const SearchRegion& region)
             if (!aligned) continue;
             candidate.z = aligned->uv_px;
             candidate.R = aligned->R;
+            slopes_[region.id].push_back({aligned->uv_px, aligned->slope});
         }
         result.candidates.push_back(candidate);
     }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "LandmarkRecord.h"
 #include "monoslam_association/Associator.h"
@@ -18,6 +19,13 @@ namespace monoslam
 
 [[nodiscard]] CornerTrackerOptions trackerOptions(const SearchOptions& search);
 
+/** What one candidate's alignment told of its landmark's surface. */
+struct SeenSlope
+{
+    Eigen::Vector2d z;
+    SlopeEstimate slope;
+};
+
 /** Active search in one frame: expected patches are made once per landmark from one belief. */
 class LandmarkFinder
 {
@@ -30,6 +38,12 @@ class LandmarkFinder
 
     [[nodiscard]] SearchResult search(const SearchRegion& region);
 
+    /** Of every candidate that has been found so far. */
+    [[nodiscard]] const std::map<LandmarkId, std::vector<SeenSlope>>& slopes() const
+    {
+        return slopes_;
+    }
+
    private:
     [[nodiscard]] const std::optional<Patch>& patchOf(LandmarkId id);
 
@@ -39,5 +53,6 @@ class LandmarkFinder
     const LandmarkRecords& records_;
     const Belief& expected_;
     std::map<LandmarkId, std::optional<Patch>> patches_;
+    std::map<LandmarkId, std::vector<SeenSlope>> slopes_;
 };
 }  // namespace monoslam

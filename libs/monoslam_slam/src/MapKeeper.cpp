@@ -56,6 +56,21 @@ void MapKeeper::noteFates(const std::vector<Association>& associations, long fra
     }
 }
 
+void MapKeeper::learnSlopes(const std::vector<Association>& associations,
+                            const std::map<LandmarkId, std::vector<SeenSlope>>& seen)
+{
+    for (const Association& association : associations)
+    {
+        const auto record = records_.find(association.id);
+        const auto candidates = seen.find(association.id);
+        if (association.fate != Fate::Matched || record == records_.end() ||
+            candidates == seen.end())
+            continue;
+        for (const SeenSlope& candidate : candidates->second)
+            if (candidate.z == association.z) record->second.born.slope.learn(candidate.slope);
+    }
+}
+
 bool MapKeeper::isBad(const LandmarkRecord& record, long frame) const
 {
     const MapOptions& map = options_.map;

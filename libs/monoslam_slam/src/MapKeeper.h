@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <memory>
 #include <random>
 #include <vector>
 
+#include "LandmarkFinder.h"
 #include "LandmarkRecord.h"
 #include "monoslam_association/Associator.h"
 #include "monoslam_models/Camera.h"
@@ -38,6 +40,10 @@ class MapKeeper
     /** After an update: counts fates, removes, converts, tracks candidates, adds. */
     [[nodiscard]] Mixture revise(Mixture mixture, const std::vector<Association>& associations,
                                  const FrameContext& frame);
+
+    /** Learns the slope of the surfaces from the matches among the candidates seen. */
+    void learnSlopes(const std::vector<Association>& associations,
+                     const std::map<LandmarkId, std::vector<SeenSlope>>& seen);
 
     /** Forgets every landmark that is not in the belief, and all candidates. */
     void keepOnly(const Belief& belief);

@@ -70,7 +70,9 @@ Correction MonoSlam::Impl::correct(const FrameContext& context)
     { return predictMeasurements(belief, camera, visibility); };
     view.search = [&](const SearchRegion& region) { return finder.search(region); };
     view.engine = engine;
-    return associator->correct(std::move(mixture), view, rng);
+    Correction correction = associator->correct(std::move(mixture), view, rng);
+    keeper.learnSlopes(correction.associations, finder.slopes());
+    return correction;
 }
 
 void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport& report,

@@ -53,7 +53,7 @@ Mixture MapKeeper::addKnownPoints(Mixture mixture, const MetricPose& target,
                                      target.points_m[i], P_yx, P_pp.block<3, 3>(row, row));
         }
         LandmarkRecord record;
-        record.born = {frame.image, target.pixels_px[i], best(mixture).pose()};
+        record.born = {frame.image, target.pixels_px[i], best(mixture).pose(), {}};
         record.bornFrame = record.lastSeen = frame.index;
         record.known = true;
         records_[id] = record;

@@ -23,7 +23,7 @@ Mixture MapKeeper::addUndelayedAt(Mixture mixture, const Eigen::Vector2d& uv,
         weighted.belief = std::move(*grown);
     }
     LandmarkRecord record;
-    record.born = {frame.image, uv, best(mixture).pose()};
+    record.born = {frame.image, uv, best(mixture).pose(), {}};
     record.bornFrame = record.lastSeen = frame.index;
     records_[id] = record;
     ++added_;

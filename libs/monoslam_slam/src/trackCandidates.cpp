@@ -95,7 +95,7 @@ Mixture MapKeeper::startCandidates(Mixture mixture, const std::vector<Eigen::Vec
     {
         TrackedCorner corner;
         corner.id = nextId_++;
-        corner.born = {frame.image, uv, best(mixture).pose()};
+        corner.born = {frame.image, uv, best(mixture).pose(), {}};
         corner.first.clone = clone;
         corner.first.pose = best(mixture).pose();
         corner.first.variance = best(mixture).P.diagonal().head<7>();

@@ -65,9 +65,9 @@ PatchSearchRegion regionOf(const Band& band, const CornerTrackerOptions& options
     return region;
 }
 
-std::optional<Eigen::Vector2d> find(const TrackedCorner& corner, const Band& band,
-                                    const Belief& belief, const Camera& camera,
-                                    const PreparedImage& image, const CornerTrackerOptions& options)
+std::optional<AlignedPatch> find(const TrackedCorner& corner, const Band& band,
+                                 const Belief& belief, const Camera& camera,
+                                 const PreparedImage& image, const CornerTrackerOptions& options)
 {
     const auto warp = predictWarp(camera, corner.born, belief.pose(), band.middle_w, options.warp);
     if (!warp) return std::nullopt;
@@ -78,9 +78,7 @@ std::optional<Eigen::Vector2d> find(const TrackedCorner& corner, const Band& ban
     if (search.peaks.size() > 1 &&
         search.peaks[0].score - search.peaks[1].score < options.uniqueness)
         return std::nullopt;
-    const auto aligned = alignPatch(image, *patch, search.peaks.front().uv_px, options.align);
-    if (!aligned) return std::nullopt;
-    return aligned->uv_px;
+    return alignPatch(image, *patch, search.peaks.front().uv_px, options.align);
 }
 
 /** Depth from the pair of views, once the parallax says something about it. */
@@ -115,8 +113,8 @@ std::optional<TrackedCorner> trackCorner(TrackedCorner corner, const Belief& bel
     if (frame - corner.bornFrame > options.maxAge_frames) return std::nullopt;
     const auto band = projectBand(corner, belief, camera);
     if (!band || !camera.contains(band->middle_px, options.half_px + 2.0)) return std::nullopt;
-    const auto uv = find(corner, *band, belief, camera, image, options);
-    if (!uv)
+    const auto found = find(corner, *band, belief, camera, image, options);
+    if (!found)
     {
         ++corner.missed;
         ++corner.missedInRow;
@@ -126,7 +124,8 @@ std::optional<TrackedCorner> trackCorner(TrackedCorner corner, const Belief& bel
             return std::nullopt;
         return corner;
     }
-    corner.uv_px = *uv;
+    corner.uv_px = found->uv_px;
+    corner.born.slope.learn(found->slope);
     ++corner.seen;
     corner.missedInRow = 0;
     refineDepth(corner, belief, camera);

@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monoslam_models/quaternion.h"
-
 namespace monoslam
 {
 namespace
 {
-constexpr double kStep_px = 4.0;
 constexpr int kBlock = 16;
 constexpr float kFixedPoint = 8.0F;
 
@@ -91,51 +88,15 @@ void centre(Patch& patch)
 }
 }  // namespace
 
-std::optional<Eigen::Matrix2d> predictWarp(const Camera& camera, const Appearance& born,
-                                           const Vector7d& pose, const Eigen::Vector3d& p_w,
-                                           const WarpLimits& limits)
-{
-    const Eigen::Matrix3d R_wb = rotationMatrix(born.pose.tail<4>());
-    const Eigen::Matrix3d R_wc = rotationMatrix(pose.tail<4>());
-    const Eigen::Vector3d p_b = R_wb.transpose() * (p_w - born.pose.head<3>());
-    const Eigen::Vector3d seenNow_b = R_wb.transpose() * (p_w - pose.head<3>());
-    const Eigen::Vector3d a = p_b.normalized();
-    const Eigen::Vector3d b = seenNow_b.normalized();
-    if (a.dot(b) < std::cos(limits.maxViewAngle_rad)) return std::nullopt;
-    const Eigen::Vector3d normal = (a + b).normalized();
-    const double distance = normal.dot(p_b);
-
-    const auto seenNow = [&](const Eigen::Vector2d& offset) -> std::optional<Eigen::Vector2d>
-    {
-        const auto ray = camera.unproject(born.uv_px + offset);
-        if (!ray) return std::nullopt;
-        const double along = normal.dot(*ray);
-        if (along <= 1e-3) return std::nullopt;
-        const Eigen::Vector3d q_b = *ray * (distance / along);
-        const Eigen::Vector3d q_w = R_wb * q_b + born.pose.head<3>();
-        return camera.project(R_wc.transpose() * (q_w - pose.head<3>()));
-    };
-    Eigen::Matrix2d J_now_born;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-        const Eigen::Vector2d offset = kStep_px * Eigen::Vector2d::Unit(axis);
-        const auto plus = seenNow(offset);
-        const auto minus = seenNow(-offset);
-        if (!plus || !minus) return std::nullopt;
-        J_now_born.col(axis) = (*plus - *minus) / (2.0 * kStep_px);
-    }
-    const double scale2 = J_now_born.determinant();
-    const double limit2 = limits.maxScale * limits.maxScale;
-    if (!(scale2 > 1.0 / limit2 && scale2 < limit2)) return std::nullopt;
-    return J_now_born.inverse();
-}
-
-std::optional<Patch> samplePatch(const Appearance& born, const Eigen::Matrix2d& warp, int half_px)
+std::optional<Patch> samplePatch(const Appearance& born, const PredictedWarp& warp, int half_px)
 {
     Patch patch;
     patch.half_px = half_px;
-    if (!sampleRing(born, warp, patch)) return std::nullopt;
+    if (!sampleRing(born, warp.M, patch)) return std::nullopt;
     centre(patch);
+    patch.slope = warp.slope;
+    const Eigen::Matrix2d inverse = warp.M.inverse();
+    for (std::size_t k = 0; k < 2; ++k) patch.stretch[k] = inverse * warp.J_M_s[k];
     return patch;
 }
 }  // namespace monoslam

@@ -1,96 +1,122 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_vision/alignPatch.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+
+#include "PatchRegression.h"
 
 namespace monoslam
 {
 namespace
 {
-using Design = Eigen::Matrix<double, Eigen::Dynamic, 4>;
+constexpr double kFirstNoise_grey = 3.0;  ///< until the residuals tell
+constexpr double kLeastNoise_grey = 0.5;  ///< rounding of the pixels
+constexpr double kLeastGain = 0.2;
+constexpr double kSlopeSettled = 0.01;  ///< change of it in one step
 
-/** Columns [T_x T_y T 1], one row a pixel. */
-Design designOf(const Patch& patch)
+/** Where the pixels of the patch lie in the image, uv + W d, and the slope that this means. */
+struct Placement
 {
-    Design A(static_cast<Eigen::Index>(patch.side()) * patch.side(), 4);
-    Eigen::Index row = 0;
-    for (int dy = -patch.half_px; dy <= patch.half_px; ++dy)
-        for (int dx = -patch.half_px; dx <= patch.half_px; ++dx, ++row)
+    Eigen::Vector2d uv_px;
+    Eigen::Matrix2d W = Eigen::Matrix2d::Identity();
+    Eigen::Vector2d slope;
+};
+
+bool isInside(const PreparedImage& image, const Placement& at, int half)
+{
+    for (const int dx : {-half, half})
+        for (const int dy : {-half, half})
         {
-            const float gx = 0.5F * (patch.at(dx + 1, dy) - patch.at(dx - 1, dy));
-            const float gy = 0.5F * (patch.at(dx, dy + 1) - patch.at(dx, dy - 1));
-            A.row(row) << static_cast<double>(gx), static_cast<double>(gy),
-                static_cast<double>(patch.at(dx, dy)), 1.0;
+            const Eigen::Vector2d p = at.uv_px + at.W * Eigen::Vector2d(dx, dy);
+            if (!(p.minCoeff() >= 0.0 && p.x() < image.width_px - 1.0 &&
+                  p.y() < image.height_px - 1.0))
+                return false;
         }
-    return A;
-}
-
-/** The image around uv, one bilinear phase for the whole patch; false outside. */
-bool sampleAround(const PreparedImage& image, const Eigen::Vector2d& uv, int half,
-                  Eigen::VectorXd& samples)
-{
-    const cv::Mat& base = image.levels.front();
-    const int u = static_cast<int>(std::floor(uv.x()));
-    const int v = static_cast<int>(std::floor(uv.y()));
-    if (u - half < 0 || v - half < 0 || u + half + 1 >= image.width_px ||
-        v + half + 1 >= image.height_px)
-        return false;
-    const double a = uv.x() - u;
-    const double b = uv.y() - v;
-    const double w00 = (1 - a) * (1 - b);
-    const double w10 = a * (1 - b);
-    const double w01 = (1 - a) * b;
-    const double w11 = a * b;
-    Eigen::Index at = 0;
-    for (int y = v - half; y <= v + half; ++y)
-    {
-        const auto* top = base.ptr<std::uint8_t>(y) + (u - half);
-        const auto* low = base.ptr<std::uint8_t>(y + 1) + (u - half);
-        for (int x = 0; x <= 2 * half; ++x, ++at)
-            samples(at) = w00 * top[x] + w10 * top[x + 1] + w01 * low[x] + w11 * low[x + 1];
-    }
     return true;
 }
 
-AlignedPatch summarize(const Eigen::Vector2d& uv, const Design& A, const Eigen::Vector4d& fit,
-                       const Eigen::VectorXd& samples, const AlignOptions& options)
+/** The image at the pixels of the patch, bilinear. */
+void sample(const PreparedImage& image, const Placement& at, int half, PatchSamples& samples)
 {
-    const double freedom = static_cast<double>(A.rows() - A.cols());
-    const double variance = (samples - A * fit).squaredNorm() / freedom;
-    const Eigen::Vector4d gainFree(fit(2), fit(2), 1.0, 1.0);
-    const Eigen::Matrix4d normal = A.transpose() * A;
-    const Eigen::Matrix4d covariance = normal.inverse() * (options.noiseCorrelation * variance);
-    const double floor_px = options.sigmaFloor_px;
-    AlignedPatch aligned;
-    aligned.uv_px = uv;
-    aligned.R = covariance.topLeftCorner<2, 2>() / (fit(2) * fit(2)) +
-                floor_px * floor_px * Eigen::Matrix2d::Identity();
-    aligned.residual = std::sqrt(variance);
-    return aligned;
+    const cv::Mat& base = image.levels.front();
+    const Eigen::Matrix2f W = at.W.cast<float>();
+    const Eigen::Vector2d corner = at.uv_px + at.W * Eigen::Vector2d(-half, -half);
+    const auto left = static_cast<float>(corner.x());
+    const auto top = static_cast<float>(corner.y());
+    Eigen::Index row = 0;
+    for (int y = 0; y <= 2 * half; ++y)
+        for (int x = 0; x <= 2 * half; ++x, ++row)
+        {
+            const float pu =
+                left + W(0, 0) * static_cast<float>(x) + W(0, 1) * static_cast<float>(y);
+            const float pv =
+                top + W(1, 0) * static_cast<float>(x) + W(1, 1) * static_cast<float>(y);
+            const int u = static_cast<int>(pu);
+            const int v = static_cast<int>(pv);
+            const float a = pu - static_cast<float>(u);
+            const float b = pv - static_cast<float>(v);
+            const auto* upper = base.ptr<std::uint8_t>(v) + u;
+            const auto* lower = upper + base.step[0];
+            const auto u0 = static_cast<float>(upper[0]);
+            const auto l0 = static_cast<float>(lower[0]);
+            const float above = u0 + a * (static_cast<float>(upper[1]) - u0);
+            const float below = l0 + a * (static_cast<float>(lower[1]) - l0);
+            samples(row) = above + b * (below - above);
+        }
+}
+
+/** One inverse-compositional step. */
+Placement stepped(const Placement& at, const Patch& patch, const PatchRegression::Unknowns& x)
+{
+    const PatchRegression::Unknowns d = x / x(PatchRegression::kGain);
+    const Eigen::Matrix2d E = patch.stretch[0] * d(PatchRegression::kSlope) +
+                              patch.stretch[1] * d(PatchRegression::kSlope + 1);
+    Placement next;
+    next.W = at.W * (Eigen::Matrix2d::Identity() + E).inverse();
+    next.uv_px = at.uv_px - next.W * d.head<2>();
+    next.slope = at.slope + d.segment<2>(PatchRegression::kSlope);
+    return next;
 }
 }  // namespace
 
 std::optional<AlignedPatch> alignPatch(const PreparedImage& image, const Patch& patch,
                                        const Eigen::Vector2d& start_px, const AlignOptions& options)
 {
-    const Design A = designOf(patch);
-    const Eigen::Matrix4d normal = A.transpose() * A;
-    const Eigen::LDLT<Eigen::Matrix4d> ldlt(normal);
-    Eigen::VectorXd samples(A.rows());
-    Eigen::Vector2d uv = start_px;
+    PatchRegression regression(patch);
+    PatchSamples samples(static_cast<Eigen::Index>(patch.side()) * patch.side());
+    Placement at{start_px, Eigen::Matrix2d::Identity(), patch.slope.mean};
+    double noise = options.noiseCorrelation * kFirstNoise_grey * kFirstNoise_grey;
+    double gain = 1.0;
     for (int iteration = 0; iteration < options.maxIterations; ++iteration)
     {
-        if (!sampleAround(image, uv, patch.half_px, samples)) return std::nullopt;
-        const Eigen::Vector4d fit = ldlt.solve(A.transpose() * samples);
-        if (!fit.allFinite() || fit(2) < 0.2) return std::nullopt;
-        const Eigen::Vector2d delta = fit.head<2>() / fit(2);
-        uv -= delta;
-        if ((uv - start_px).norm() > options.maxMove_px) return std::nullopt;
-        if (delta.norm() > options.convergence_px) continue;
-        const AlignedPatch aligned = summarize(uv, A, fit, samples, options);
-        if (aligned.residual > options.maxResidual * fit(2) * patch.deviation) return std::nullopt;
+        if (!isInside(image, at, patch.half_px)) return std::nullopt;
+        sample(image, at, patch.half_px, samples);
+        const PatchRegression::Unknowns x = regression.fit(samples, at.slope, gain, noise);
+        gain = x(PatchRegression::kGain);
+        if (!x.allFinite() || gain < kLeastGain) return std::nullopt;
+        const double variance =
+            std::max(regression.variance(samples, x), kLeastNoise_grey * kLeastNoise_grey);
+        noise = options.noiseCorrelation * variance / (gain * gain);
+        const Placement next = stepped(at, patch, x);
+        const double moved_px = (next.uv_px - at.uv_px).norm();
+        const double tilted = (next.slope - at.slope).norm();
+        at = next;
+        if (!((at.uv_px - start_px).norm() <= options.maxMove_px)) return std::nullopt;
+        if (moved_px > options.convergence_px || tilted > kSlopeSettled) continue;
+        if (std::sqrt(variance) > options.maxResidual * gain * patch.deviation) return std::nullopt;
+        AlignedPatch aligned;
+        aligned.uv_px = at.uv_px;
+        aligned.R = noise * regression.shiftCovariance() +
+                    options.sigmaFloor_px * options.sigmaFloor_px * Eigen::Matrix2d::Identity();
+        aligned.residual = std::sqrt(variance);
+        aligned.slope.information = regression.slopeInformation() / noise;
+        // Posterior = pixels + prior, solved for what the pixels say.
+        const Eigen::Vector2d eta = aligned.slope.information * at.slope +
+                                    patch.slope.information * (at.slope - patch.slope.mean);
+        aligned.slope.mean =
+            (aligned.slope.information + 1e-9 * Eigen::Matrix2d::Identity()).inverse() * eta;
         return aligned;
     }
     return std::nullopt;

@@ -69,7 +69,7 @@ bool resemblesSurroundings(const PreparedImage& image, const Eigen::Vector2d& uv
     Appearance self;
     self.image = std::shared_ptr<const PreparedImage>(&image, [](const PreparedImage*) {});
     self.uv_px = uv;
-    const auto patch = samplePatch(self, Eigen::Matrix2d::Identity(), options.half_px);
+    const auto patch = samplePatch(self, PredictedWarp{}, options.half_px);
     if (!patch) return true;
     PatchSearchRegion region;
     region.centre_px = uv;

@@ -11,6 +11,7 @@
 #include "monoslam_vision/Patch.h"
 #include "monoslam_vision/alignPatch.h"
 #include "monoslam_vision/export.h"
+#include "monoslam_vision/predictWarp.h"
 
 namespace monoslam
 {

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "monoslam_models/Camera.h"
 #include "monoslam_models/ConstantVelocity.h"
 #include "monoslam_vision/PreparedImage.h"
+#include "monoslam_vision/SurfaceSlope.h"
 #include "monoslam_vision/export.h"
 
 namespace monoslam
@@ -19,7 +20,17 @@ struct Appearance
 {
     std::shared_ptr<const PreparedImage> image;
     Eigen::Vector2d uv_px;
-    Vector7d pose;  ///< (r_wc, q_wc) as estimated then
+    Vector7d pose;       ///< (r_wc, q_wc) as estimated then
+    SurfaceSlope slope;  ///< of its surface, learnt since
+};
+
+/** How pixel offsets now map to pixel offsets in the birth image, and how that changes with the
+ *  slope s of the surface: M(s + d) = M + dM/ds_0 d_0 + dM/ds_1 d_1. */
+struct PredictedWarp
+{
+    Eigen::Matrix2d M = Eigen::Matrix2d::Identity();
+    std::array<Eigen::Matrix2d, 2> J_M_s{Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero()};
+    SlopeEstimate slope;  ///< that M was made with
 };
 
 /** A landmark's expected appearance in one frame, sampled on the pixel grid around its centre. */
@@ -32,6 +43,9 @@ struct Patch
     double centredSum = 0.0;            ///< of centred: what rounding left of its mean
     double norm = 0.0;                  ///< of centred about its mean
     double deviation = 0.0;             ///< standard deviation of the pixels [grey levels]
+    std::array<Eigen::Matrix2d, 2> stretch{Eigen::Matrix2d::Zero(),
+                                           Eigen::Matrix2d::Zero()};  ///< M^-1 dM/ds
+    SlopeEstimate slope;
 
     [[nodiscard]] int side() const { return 2 * half_px + 1; }
     [[nodiscard]] float at(int dx, int dy) const
@@ -41,24 +55,9 @@ struct Patch
     }
 };
 
-/** Limits beyond which an appearance cannot be predicted. */
-struct WarpLimits
-{
-    double maxScale = 2.0;          ///< and not below its inverse
-    double maxViewAngle_rad = 0.8;  ///< between the two viewing directions
-};
-
-/** 2 x 2 map from pixel offsets now to pixel offsets in the birth image, for a small plane through
- *  p_w that faces the bisector of both viewing directions; finite differences of the full
- *  projection, lens included (algorithms 4.3).
- *  \return nothing if the view has changed too much */
-[[nodiscard]] MONOSLAM_VISION_EXPORT std::optional<Eigen::Matrix2d> predictWarp(
-    const Camera& camera, const Appearance& born, const Vector7d& pose, const Eigen::Vector3d& p_w,
-    const WarpLimits& limits);
-
 /** Samples the birth image through a warp, at the pyramid level that avoids aliasing.
  *  \return nothing if the warped patch leaves the birth image */
 [[nodiscard]] MONOSLAM_VISION_EXPORT std::optional<Patch> samplePatch(const Appearance& born,
-                                                                      const Eigen::Matrix2d& warp,
+                                                                      const PredictedWarp& warp,
                                                                       int half_px);
 }  // namespace monoslam

@@ -24,15 +24,20 @@ struct AlignOptions
 struct AlignedPatch
 {
     Eigen::Vector2d uv_px;
-    Eigen::Matrix2d
-        R;  ///< c sigma_I^2 (sum grad grad')^-1 + floor^2 I, c = noiseCorrelation [px^2]
+    Eigen::Matrix2d R;      ///< c sigma_I^2 (A' A + prior)^-1 + floor^2 I [px^2]
     double residual = 0.0;  ///< rms [grey levels]
+    SlopeEstimate slope;    ///< what these pixels alone tell of it
 };
 
-/** Inverse-compositional alignment: translation, gain and offset of the patch to the image.
+/** Inverse-compositional alignment: translation, slope of the surface, gain and offset.
  *
- * Each step regresses the image samples on the fixed columns [T_x T_y T 1]; their normal matrix is
- * factorised once.  I(p + d) = a T(p + delta) + b,  d <- d - delta   (Baker and Matthews 2004).
+ * Each step regresses the image samples on the fixed columns [T_x T_y grad T . E_0 d, grad T . E_1 d,
+ * T, 1] with E_k = M^-1 dM/ds_k, the stretch of the patch with the slope s:
+ *
+ *     I(uv + W d) = g T(d + t + E(s) d) + b,   W <- W (1 + E)^-1,   uv <- uv - W t
+ *
+ * The slope has the patch's prior, so that it stays where the pixels do not show it (Baker and
+ * Matthews 2004, Molton et al. 2004).  Without it a slanted surface shifts the match by up to 1 px.
  * \return nothing if it diverges, leaves the image or fits badly */
 [[nodiscard]] MONOSLAM_VISION_EXPORT std::optional<AlignedPatch> alignPatch(
     const PreparedImage& image, const Patch& patch, const Eigen::Vector2d& start_px,
