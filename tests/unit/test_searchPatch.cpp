@@ -31,7 +31,7 @@ Patch patchAt(const std::shared_ptr<const PreparedImage>& image, const Eigen::Ve
     Appearance born;
     born.image = image;
     born.uv_px = uv;
-    return *samplePatch(born, Eigen::Matrix2d::Identity(), half_px);
+    return *samplePatch(born, PredictedWarp{}, half_px);
 }
 
 /** Definition: correlation coefficient of template and window. */
@@ -158,6 +158,42 @@ TEST(SearchPatch, ListsEqualPlacesBestFirst)
     EXPECT_EQ(searchPatch(*image, patch, region).peaks.size(), 1U);
     region.minScore = 1.01;
     EXPECT_TRUE(searchPatch(*image, patch, region).peaks.empty());
+}
+/** The best of all pixels of a disc, one by one. */
+CorrelationPeak exhaustiveBest(const PreparedImage& image, const Patch& patch,
+                               const PatchSearchRegion& region)
+{
+    CorrelationPeak best{{0.0, 0.0}, -1.0};
+    for (int v = 0; v < kHeight_px; ++v)
+        for (int u = 0; u < kWidth_px; ++u)
+        {
+            const Eigen::Vector2d uv(u, v);
+            const double score = correlate(image, patch, u, v);
+            if ((uv - region.centre_px).squaredNorm() >= region.gate || score <= best.score)
+                continue;
+            best = {uv, score};
+        }
+    return best;
+}
+
+TEST(SearchPatch, FindsInALargeEllipseWhatAnExhaustiveSearchFinds)
+{
+    int same = 0;
+    long pixels = 0;
+    constexpr int runs = 200;
+    const PatchSearchRegion region = circle(62, 44, 35);
+    for (unsigned seed = 0; seed < runs; ++seed)
+    {
+        const Patch patch = patchAt(textured(seed), {50, 40});
+        const auto now = textured(seed, 13.3 + 0.01 * seed, 5.6, 3.0);
+        const CorrelationPeak expected = exhaustiveBest(*now, patch, region);
+        ASSERT_GT(expected.score, region.minScore);
+        const PatchSearch found = searchPatch(*now, patch, region);
+        pixels += found.pixels;
+        if (!found.peaks.empty() && found.peaks.front().uv_px == expected.uv_px) ++same;
+    }
+    EXPECT_EQ(same, runs);
+    EXPECT_LT(static_cast<double>(pixels), 0.4 * runs * M_PI * region.gate);
 }
 }  // namespace
 }  // namespace monoslam

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "monoslam_models/quaternion.h"
 
@@ -13,17 +14,6 @@ namespace
 {
 constexpr double kWeak = 1e-4;  ///< information that keeps what nothing was seen of regular
 constexpr double kBadObservation = 1e4;  ///< cost of a landmark that cannot be projected
-
-/** 7 x 6 map from (dr, dtheta) to the change of (r, q), q (x) (1, dtheta / 2). */
-Eigen::Matrix<double, 7, 6> poseTangent(const Vector7d& pose)
-{
-    Eigen::Matrix4d QL;
-    (void)quaternionProduct(pose.tail<4>(), Eigen::Vector4d::UnitX(), nullptr, &QL);
-    Eigen::Matrix<double, 7, 6> T = Eigen::Matrix<double, 7, 6>::Zero();
-    T.topLeftCorner<3, 3>().setIdentity();
-    T.bottomRightCorner<4, 3>() = 0.5 * QL.rightCols<3>();
-    return T;
-}
 
 }  // namespace
 
@@ -35,44 +25,67 @@ WindowEquations::WindowEquations(const Camera& camera, const Window& window,
       poseSize_(kPoseDof * static_cast<Eigen::Index>(window.poses.size())),
       inlier_(window.observations.size(), true),
       anchor_(window.poses.front()),
-      baseline_(window.poses.back().head<3>() - anchor_.head<3>())
+      baseline_(window.poses.back().head<3>() - anchor_.head<3>()),
+      H_pp_(poseSize_, poseSize_),
+      b_p_(poseSize_),
+      H_ll_(window.landmarks.size()),
+      H_pl_(poseSize_, 3 * static_cast<Eigen::Index>(window.landmarks.size())),
+      b_l_(window.landmarks.size())
 {
+    whiten_.reserve(window.observations.size());
+    for (const WindowObservation& seen : window.observations)
+        whiten_.emplace_back(
+            Eigen::LLT<Eigen::Matrix2d>(seen.R).matrixL().solve(Eigen::Matrix2d::Identity()));
+}
+
+WindowEquations::Geometry::Geometry(const Window& at)
+{
+    views.reserve(at.poses.size());
+    for (const Vector7d& pose : at.poses) views.emplace_back(pose);
+    landmarks.reserve(at.landmarks.size());
+    for (const WindowLandmark& landmark : at.landmarks)
+        landmarks.emplace_back(landmark.kind, landmark.y);
 }
 
 double WindowEquations::evaluate(const Window& at, bool linearize)
 {
-    if (linearize) clear(at.landmarks.size());
+    if (linearize) clear();
+    const Geometry geometry(at);
     double cost = posePrior(at, linearize);
     cost += scalePrior(at, linearize);
     for (std::size_t i = 0; i < at.landmarks.size(); ++i) cost += landmarkPrior(at, i, linearize);
     for (std::size_t i = 0; i < at.observations.size(); ++i)
-        if (inlier_[i]) cost += observation(at, i, linearize);
+        if (inlier_[i]) cost += observation(geometry, i, linearize);
     return cost;
 }
 
-double WindowEquations::squaredSigmas(const Window& at, std::size_t i) const
+double WindowEquations::squaredSigmas(const Geometry& at, std::size_t i) const
 {
-    const auto& landmark = at.landmarks[static_cast<std::size_t>(at.observations[i].landmark)];
-    if (landmark.kind == LandmarkKind::InverseDepth && landmark.y(inverse_depth::kRho) <= 0.0)
-        return options_.outlierChi2;
-    return whitened(at, i, nullptr, nullptr).squaredNorm();
+    const WindowObservation& seen = window_.observations[i];
+    const LandmarkRay& landmark = at.landmarks[static_cast<std::size_t>(seen.landmark)];
+    if (landmark.rho <= 0.0) return options_.outlierChi2;
+    const auto h = projectRay(camera_, at.views[static_cast<std::size_t>(seen.view)], landmark);
+    if (!h) return kBadObservation * kBadObservation;
+    return (whiten_[i] * (seen.z - *h)).squaredNorm();
 }
 
 double WindowEquations::truncatedCost(const Window& at) const
 {
+    const Geometry geometry(at);
     double sum = 0.0;
     for (std::size_t i = 0; i < at.observations.size(); ++i)
-        sum += std::min(squaredSigmas(at, i), options_.outlierChi2);
+        sum += std::min(squaredSigmas(geometry, i), options_.outlierChi2);
     return 0.5 * sum;
 }
 
 double WindowEquations::markOutliers(const Window& at)
 {
+    const Geometry geometry(at);
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < at.observations.size(); ++i)
     {
-        const double chi2 = squaredSigmas(at, i);
+        const double chi2 = squaredSigmas(geometry, i);
         inlier_[i] = chi2 < options_.outlierChi2;
         if (!inlier_[i]) continue;
         sum += chi2;
@@ -81,13 +94,14 @@ double WindowEquations::markOutliers(const Window& at)
     return count > 0 ? sum / count : 0.0;
 }
 
-void WindowEquations::clear(std::size_t landmarks)
+void WindowEquations::clear()
 {
-    H_pp_ = kWeak * Eigen::MatrixXd::Identity(poseSize_, poseSize_);
-    b_p_ = Eigen::VectorXd::Zero(poseSize_);
-    H_ll_.assign(landmarks, Eigen::Matrix3d(kWeak * Eigen::Matrix3d::Identity()));
-    H_pl_.assign(landmarks, Eigen::MatrixXd::Zero(poseSize_, 3));
-    b_l_.assign(landmarks, Eigen::Vector3d::Zero());
+    H_pp_.setZero();
+    H_pp_.diagonal().setConstant(kWeak);
+    b_p_.setZero();
+    H_pl_.setZero();
+    std::fill(H_ll_.begin(), H_ll_.end(), Eigen::Matrix3d(kWeak * Eigen::Matrix3d::Identity()));
+    std::fill(b_l_.begin(), b_l_.end(), Eigen::Vector3d(Eigen::Vector3d::Zero()));
 }
 
 double WindowEquations::posePrior(const Window& at, bool linearize)
@@ -137,48 +151,43 @@ double WindowEquations::landmarkPrior(const Window& at, std::size_t i, bool line
     return 0.5 * d.dot(landmark.priorInformation.asDiagonal() * d);
 }
 
-Eigen::Vector2d WindowEquations::whitened(const Window& at, std::size_t i, Matrix26d* J_pose,
-                                          Matrix23d* J_landmark) const
+double WindowEquations::observation(const Geometry& at, std::size_t i, bool linearize)
 {
-    const WindowObservation& seen = at.observations[i];
-    const Vector7d& pose = at.poses[static_cast<std::size_t>(seen.view)];
-    const WindowLandmark& landmark = at.landmarks[static_cast<std::size_t>(seen.landmark)];
-    Vector13d x_v = Vector13d::Zero();
-    x_v.head<7>() = pose;
-    const auto projected = projectLandmark(camera_, x_v, landmark.kind, landmark.y);
-    if (!projected) return Eigen::Vector2d::Constant(kBadObservation);
-    const Eigen::LLT<Eigen::Matrix2d> llt(seen.R);
-    const Eigen::Vector2d residual = llt.matrixL().solve(seen.z - projected->h);
-    if (J_pose)
-    {
-        const Matrix26d J = projected->J_h_xv.leftCols<7>() * poseTangent(pose);
-        *J_pose = llt.matrixL().solve(J);
-        const Matrix23d J_y = projected->J_h_y.middleCols<3>(freeOffset(landmark.kind));
-        *J_landmark = llt.matrixL().solve(J_y);
-    }
-    return residual;
-}
-
-double WindowEquations::observation(const Window& at, std::size_t i, bool linearize)
-{
-    Matrix26d J_p;
-    Matrix23d J_l;
-    const Eigen::Vector2d e =
-        whitened(at, i, linearize ? &J_p : nullptr, linearize ? &J_l : nullptr);
-    const double length = e.norm();
-    const double k = options_.huber_sigmas;
-    if (length >= kBadObservation) return k * (length - 0.5 * k);
-    const double weight = length <= k ? 1.0 : k / length;
+    const WindowObservation& seen = window_.observations[i];
+    const ViewPose& view = at.views[static_cast<std::size_t>(seen.view)];
+    const LandmarkRay& landmark = at.landmarks[static_cast<std::size_t>(seen.landmark)];
+    std::optional<TangentProjection> projected;
+    std::optional<Eigen::Vector2d> h;
     if (linearize)
     {
-        const Eigen::Index at6 = kPoseDof * at.observations[i].view;
-        const auto l = static_cast<std::size_t>(at.observations[i].landmark);
-        H_pp_.block<6, 6>(at6, at6) += weight * J_p.transpose() * J_p;
-        H_pl_[l].middleRows<6>(at6) += weight * J_p.transpose() * J_l;
-        H_ll_[l] += weight * J_l.transpose() * J_l;
-        b_p_.segment<6>(at6) += weight * J_p.transpose() * e;
-        b_l_[l] += weight * J_l.transpose() * e;
+        projected = projectOnTangent(camera_, view, landmark);
+        if (projected) h = projected->h;
     }
+    else
+        h = projectRay(camera_, view, landmark);
+    const double k = options_.huber_sigmas;
+    if (!h) return k * (kBadObservation - 0.5 * k);
+    const Eigen::Vector2d e = whiten_[i] * (seen.z - *h);
+    const double length = e.norm();
+    const double weight = length <= k ? 1.0 : k / length;
+    if (linearize) accumulate(seen, whiten_[i], *projected, e, weight);
     return length <= k ? 0.5 * length * length : k * (length - 0.5 * k);
+}
+
+void WindowEquations::accumulate(const WindowObservation& seen, const Eigen::Matrix2d& whiten,
+                                 const TangentProjection& projected, const Eigen::Vector2d& e,
+                                 double w)
+{
+    const Eigen::Matrix<double, 2, 6> J_p = whiten * projected.J_h_pose;
+    const Eigen::Matrix<double, 2, 3> J_l = whiten * projected.J_h_landmark;
+    const Eigen::Matrix<double, 6, 2> wJ_p = w * J_p.transpose();
+    const Eigen::Matrix<double, 3, 2> wJ_l = w * J_l.transpose();
+    const Eigen::Index at6 = kPoseDof * seen.view;
+    const auto l = static_cast<std::size_t>(seen.landmark);
+    H_pp_.block<6, 6>(at6, at6).noalias() += wJ_p * J_p;
+    H_pl_.block<6, 3>(at6, 3 * seen.landmark).noalias() += wJ_p * J_l;
+    H_ll_[l].noalias() += wJ_l * J_l;
+    b_p_.segment<6>(at6).noalias() += wJ_p * e;
+    b_l_[l].noalias() += wJ_l * e;
 }
 }  // namespace monoslam

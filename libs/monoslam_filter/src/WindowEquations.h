@@ -7,6 +7,7 @@
 
 #include "monoslam_filter/smoothWindow.h"
 #include "monoslam_models/InverseDepth.h"
+#include "monoslam_models/projectOnTangent.h"
 
 namespace monoslam
 {
@@ -48,30 +49,37 @@ class WindowEquations
     }
 
    private:
-    using Matrix26d = Eigen::Matrix<double, 2, 6>;
-    using Matrix23d = Eigen::Matrix<double, 2, 3>;
+    /** An estimate with rotations and rays at hand. */
+    struct Geometry
+    {
+        explicit Geometry(const Window& at);
+        std::vector<ViewPose> views;
+        std::vector<LandmarkRay> landmarks;
+    };
 
-    void clear(std::size_t landmarks);
+    void clear();
     double posePrior(const Window& at, bool linearize);
     double scalePrior(const Window& at, bool linearize);
     double landmarkPrior(const Window& at, std::size_t i, bool linearize);
-    double observation(const Window& at, std::size_t i, bool linearize);
+    double observation(const Geometry& at, std::size_t i, bool linearize);
+    /** Adds one whitened row pair of weight w to the equations. */
+    void accumulate(const WindowObservation& seen, const Eigen::Matrix2d& whiten,
+                    const TangentProjection& projected, const Eigen::Vector2d& e, double w);
     /** Of one pixel; a landmark behind its anchor explains nothing, however well it projects. */
-    [[nodiscard]] double squaredSigmas(const Window& at, std::size_t i) const;
-    [[nodiscard]] Eigen::Vector2d whitened(const Window& at, std::size_t i, Matrix26d* J_pose,
-                                           Matrix23d* J_landmark) const;
+    [[nodiscard]] double squaredSigmas(const Geometry& at, std::size_t i) const;
 
     const Camera& camera_;
     const Window& window_;
     const WindowOptions& options_;
     Eigen::Index poseSize_;
     std::vector<bool> inlier_;
+    std::vector<Eigen::Matrix2d> whiten_;  ///< L^-1 of each pixel's R = L L'
     Vector7d anchor_;
     Eigen::Vector3d baseline_;
     Eigen::MatrixXd H_pp_;
     Eigen::VectorXd b_p_;
     std::vector<Eigen::Matrix3d> H_ll_;
-    std::vector<Eigen::MatrixXd> H_pl_;
+    Eigen::MatrixXd H_pl_;  ///< three columns a landmark
     std::vector<Eigen::Vector3d> b_l_;
 };
 }  // namespace monoslam

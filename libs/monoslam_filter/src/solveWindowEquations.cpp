@@ -27,16 +27,18 @@ Window WindowEquations::step(const Window& at, double lambda) const
     S.diagonal() *= 1.0 + lambda;
     Eigen::VectorXd b = b_p_;
     std::vector<Eigen::Matrix3d> inverse(H_ll_.size());
+    Eigen::MatrixXd A(H_pl_.rows(), H_pl_.cols());
     for (std::size_t i = 0; i < H_ll_.size(); ++i)
     {
+        const Eigen::Index column = 3 * static_cast<Eigen::Index>(i);
         Eigen::Matrix3d damped = H_ll_[i];
         damped.diagonal() *= 1.0 + lambda;
         inverse[i] = damped.inverse();
-        const Eigen::LLT<Eigen::Matrix3d> llt(inverse[i]);
-        const Eigen::MatrixXd A = H_pl_[i] * Eigen::Matrix3d(llt.matrixL());
-        S.selfadjointView<Eigen::Lower>().rankUpdate(A, -1.0);
-        b -= H_pl_[i] * (inverse[i] * b_l_[i]);
+        const Eigen::Matrix3d L = Eigen::LLT<Eigen::Matrix3d>(inverse[i]).matrixL();
+        A.middleCols<3>(column).noalias() = H_pl_.middleCols<3>(column) * L;
+        b.noalias() -= H_pl_.middleCols<3>(column) * (inverse[i] * b_l_[i]);
     }
+    S.selfadjointView<Eigen::Lower>().rankUpdate(A, -1.0);
     const Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower> ldlt(S);
     const Eigen::VectorXd d = ldlt.solve(b);
     Window moved = at;
@@ -45,7 +47,9 @@ Window WindowEquations::step(const Window& at, double lambda) const
             movePose(moved.poses[k], d.segment<kPoseDof>(kPoseDof * static_cast<Eigen::Index>(k)));
     for (std::size_t i = 0; i < moved.landmarks.size(); ++i)
     {
-        const Eigen::Vector3d dl = inverse[i] * (b_l_[i] - H_pl_[i].transpose() * d);
+        const Eigen::Index column = 3 * static_cast<Eigen::Index>(i);
+        const Eigen::Vector3d dl =
+            inverse[i] * (b_l_[i] - H_pl_.middleCols<3>(column).transpose() * d);
         WindowLandmark& landmark = moved.landmarks[i];
         landmark.y.segment<3>(freeOffset(landmark.kind)) += dl;
     }
@@ -63,10 +67,10 @@ Eigen::MatrixXd WindowEquations::covariance() const
     {
         const auto l = static_cast<std::size_t>(i);
         const Eigen::Matrix3d inverse = H_ll_[l].inverse();
-        G.middleRows<3>(3 * i) = inverse * H_pl_[l].transpose();
-        S.noalias() -= H_pl_[l] * G.middleRows<3>(3 * i);
+        G.middleRows<3>(3 * i).noalias() = inverse * H_pl_.middleCols<3>(3 * i).transpose();
         P.block<3, 3>(kPoses + 3 * i, kPoses + 3 * i) = inverse;
     }
+    S.noalias() -= H_pl_ * G;
     const Eigen::LDLT<Eigen::MatrixXd> ldlt(S);
     const Eigen::MatrixXd cov = ldlt.solve(Eigen::MatrixXd::Identity(poseSize_, poseSize_));
     if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !cov.allFinite()) return {};

@@ -84,8 +84,10 @@ SearchResult LandmarkFinder::search(const SearchRegion& region)
                             options_.sigma_px * options_.sigma_px * Eigen::Matrix2d::Identity()};
         if (options_.subpixel)
         {
-            const auto aligned =
-                alignPatch(image_, *patch, peak.uv_px, trackerOptions(options_).align);
+            AlignOptions align = trackerOptions(options_).align;
+            align.sigmaFloor_px =
+                std::max(align.sigmaFloor_px, std::sqrt(records_.at(region.id).variance_px2));
+            const auto aligned = alignPatch(image_, *patch, peak.uv_px, align);
             if (!aligned) continue;
             candidate.z = aligned->uv_px;
             candidate.R = aligned->R;

@@ -19,6 +19,7 @@ struct LandmarkRecord
     int found = 0;
     int matched = 0;
     std::vector<long> strikes;  ///< frames of recent rejections
+    double variance_px2 = 0.0;  ///< of its matches beyond the alignment's own, per axis
     bool known = false;         ///< a point of the metric target
 };
 

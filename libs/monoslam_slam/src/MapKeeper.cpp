@@ -5,12 +5,15 @@
 #include <cmath>
 
 #include "LandmarkFinder.h"
+#include "postFitResiduals.h"
 
 namespace monoslam
 {
 namespace
 {
 constexpr double kLeastRho = 1e-3;
+constexpr double kForget = 0.1;   ///< weight of one match in a landmark's own noise
+constexpr double kPostFit = 2.0;  ///< a residual is less than the error: the landmark follows it
 
 double sigmaRho(const Belief& belief, const LandmarkSlot& slot)
 {
@@ -53,6 +56,19 @@ void MapKeeper::noteFates(const std::vector<Association>& associations, long fra
         ++record.matched;
         ++matchedNow_;
         record.lastSeen = frame;
+    }
+}
+
+void MapKeeper::noteResiduals(const Belief& belief, const std::vector<Association>& associations)
+{
+    for (const Association& association : associations)
+    {
+        const auto record = records_.find(association.id);
+        if (association.fate != Fate::Matched || record == records_.end()) continue;
+        const auto square = squaredResidual(belief, camera_, association);
+        if (!square) continue;
+        double& variance = record->second.variance_px2;
+        variance += kForget * (kPostFit * 0.5 * *square - variance);
     }
 }
 

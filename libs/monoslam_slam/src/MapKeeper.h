@@ -41,6 +41,9 @@ class MapKeeper
     [[nodiscard]] Mixture revise(Mixture mixture, const std::vector<Association>& associations,
                                  const FrameContext& frame);
 
+    /** Each landmark's own noise follows its residuals: corners on edges are worse than others. */
+    void noteResiduals(const Belief& belief, const std::vector<Association>& associations);
+
     /** Learns the slope of the surfaces from the matches among the candidates seen. */
     void learnSlopes(const std::vector<Association>& associations,
                      const std::map<LandmarkId, std::vector<SeenSlope>>& seen);

@@ -92,6 +92,7 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     const Belief& belief = best(mixture);
     if (options.search.subpixel)
         noise.adapt(settledResiduals(belief, camera, report.associations, keeper.records()));
+    keeper.noteResiduals(belief, report.associations);
     report.residualRms_px = residualRms_px(belief, camera, report.associations);
     for (const auto& association : report.associations)
         if (association.fate == Fate::Matched) ++report.matched;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "findTarget.h"
@@ -58,15 +59,29 @@ Quad uprightLabelling(const Quad& quad, bool square)
     }
     return best;
 }
+/** The board's corners by the half-size image, which takes a quarter of the time, else by the whole
+ *  one; row by row, to a fraction of a square. */
+std::vector<cv::Point2f> findGrid(const cv::Mat& image, const cv::Size& size)
+{
+    std::vector<cv::Point2f> grid;
+    cv::Mat half;
+    cv::pyrDown(image, half);
+    if (cv::findChessboardCornersSB(half, size, grid, cv::CALIB_CB_NORMALIZE_IMAGE))
+    {
+        for (cv::Point2f& corner : grid) corner *= 2.0F;
+        return grid;
+    }
+    grid.clear();
+    if (!cv::findChessboardCornersSB(image, size, grid, cv::CALIB_CB_NORMALIZE_IMAGE)) return {};
+    return grid;
+}
 }  // namespace
 
 TargetSearch findChessboard(const cv::Mat& image, const MetricStartOptions& options)
 {
     const Eigen::Vector2i& counts = options.chessboard_inner_corners;
-    std::vector<cv::Point2f> grid;
-    const cv::Size size(counts.x(), counts.y());
-    const bool found = cv::findChessboardCornersSB(image, size, grid, cv::CALIB_CB_NORMALIZE_IMAGE);
-    if (!found) return {std::nullopt, "no chessboard of that size in the image"};
+    const std::vector<cv::Point2f> grid = findGrid(image, {counts.x(), counts.y()});
+    if (grid.empty()) return {std::nullopt, "no chessboard of that size in the image"};
     const Quad quad = refinedCorners(
         image, uprightLabelling(outerCorners(grid, counts), counts.x() == counts.y()), grid);
     const double x_m = options.chessboard_square_m * (counts.x() - 1);

@@ -15,13 +15,10 @@ constexpr double kWorthDetecting = 0.1;  // of the target: fewer missing landmar
 Mixture MapKeeper::addUndelayedAt(Mixture mixture, const Eigen::Vector2d& uv,
                                   const UndelayedPrior& prior, const FrameContext& frame)
 {
+    if (!camera_.unproject(uv)) return mixture;
     const LandmarkId id = nextId_++;
     for (auto& weighted : mixture)
-    {
-        auto grown = addUndelayed(weighted.belief, camera_, id, uv, prior);
-        if (!grown) return mixture;  // depends on pixel and lens only: the same for every belief
-        weighted.belief = std::move(*grown);
-    }
+        weighted.belief = addUndelayed(std::move(weighted.belief), camera_, id, uv, prior).value();
     LandmarkRecord record;
     record.born = {frame.image, uv, best(mixture).pose(), {}};
     record.bornFrame = record.lastSeen = frame.index;

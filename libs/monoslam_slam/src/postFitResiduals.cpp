@@ -2,7 +2,6 @@
 #include "postFitResiduals.h"
 
 #include <cmath>
-#include <optional>
 
 #include "monoslam_models/projectLandmark.h"
 
@@ -12,8 +11,8 @@ namespace
 {
 constexpr int kSettled = 5;  ///< matches after which a landmark's residual tells of noise
 
-/** Squared distance of a measured pixel from the landmark's projection now [px^2]; nothing if it is
- *  not in the state or cannot be projected. */
+}  // namespace
+
 std::optional<double> squaredResidual(const Belief& belief, const Camera& camera,
                                       const Association& association)
 {
@@ -25,7 +24,6 @@ std::optional<double> squaredResidual(const Belief& belief, const Camera& camera
     if (!pixel) return std::nullopt;
     return (*pixel - association.z).squaredNorm();
 }
-}  // namespace
 
 std::vector<double> settledResiduals(const Belief& belief, const Camera& camera,
                                      const std::vector<Association>& associations,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "LandmarkRecord.h"
@@ -9,6 +10,11 @@
 
 namespace monoslam
 {
+/** Squared distance of a measured pixel from the landmark's projection now [px^2]; nothing if it is
+ *  not in the state or cannot be projected. */
+[[nodiscard]] std::optional<double> squaredResidual(const Belief& belief, const Camera& camera,
+                                                    const Association& association);
+
 /** Squared post-fit residuals [px^2] of every pair found, right or wrong, of landmarks that have
  *  settled. */
 [[nodiscard]] std::vector<double> settledResiduals(const Belief& belief, const Camera& camera,

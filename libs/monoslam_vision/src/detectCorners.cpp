@@ -21,6 +21,7 @@ struct Cell
 {
     cv::Rect box;
     int count = 0;
+    cv::Mat response;  ///< once it has been asked for
 };
 
 std::vector<Cell> makeGrid(const PreparedImage& image, const std::vector<Eigen::Vector2d>& taken,
@@ -36,7 +37,7 @@ std::vector<Cell> makeGrid(const PreparedImage& image, const std::vector<Eigen::
             const int top = image.height_px * row / options.gridRows;
             const int right = image.width_px * (column + 1) / options.gridColumns;
             const int bottom = image.height_px * (row + 1) / options.gridRows;
-            Cell cell{cv::Rect(left, top, right - left, bottom - top), 0};
+            Cell cell{cv::Rect(left, top, right - left, bottom - top), 0, {}};
             for (const auto& pixel : taken)
                 if (cell.box.contains(
                         cv::Point(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()))))
@@ -47,18 +48,22 @@ std::vector<Cell> makeGrid(const PreparedImage& image, const std::vector<Eigen::
     return cells;
 }
 
-/** Smaller eigenvalues in one cell; pixels near a taken one are cleared. */
-cv::Mat responses(const PreparedImage& image, const cv::Rect& box,
-                  const std::vector<Eigen::Vector2d>& taken, double distance_px)
+void clearAround(Cell& cell, const Eigen::Vector2d& pixel, double distance_px)
 {
-    cv::Mat response;
-    cv::cornerMinEigenVal(image.levels.front()(box), response, kBlock, kSobel);
-    for (const auto& pixel : taken)
-        cv::circle(response,
-                   cv::Point(static_cast<int>(std::lround(pixel.x())) - box.x,
-                             static_cast<int>(std::lround(pixel.y())) - box.y),
-                   static_cast<int>(distance_px), cv::Scalar(0), cv::FILLED);
-    return response;
+    if (cell.response.empty()) return;
+    cv::circle(cell.response,
+               cv::Point(static_cast<int>(std::lround(pixel.x())) - cell.box.x,
+                         static_cast<int>(std::lround(pixel.y())) - cell.box.y),
+               static_cast<int>(distance_px), cv::Scalar(0), cv::FILLED);
+}
+
+/** Smaller eigenvalues in one cell; pixels near a taken one are cleared. */
+void respond(const PreparedImage& image, Cell& cell, const std::vector<Eigen::Vector2d>& taken,
+             double distance_px)
+{
+    if (!cell.response.empty()) return;
+    cv::cornerMinEigenVal(image.levels.front()(cell.box), cell.response, kBlock, kSobel);
+    for (const auto& pixel : taken) clearAround(cell, pixel, distance_px);
 }
 
 /** True if the corner's patch is found again near by: it would be mistaken for itself. */
@@ -110,10 +115,10 @@ std::vector<Corner> detectCorners(const PreparedImage& image,
             if (budget <= 0) return corners;
             if (cell.count > round || cell.box.width < kBlock || cell.box.height < kBlock) continue;
             --budget;
-            const cv::Mat map = responses(image, cell.box, occupied, options.minDistance_px);
+            respond(image, cell, occupied, options.minDistance_px);
             double best = 0.0;
             cv::Point at;
-            cv::minMaxLoc(map, nullptr, &best, nullptr, &at);
+            cv::minMaxLoc(cell.response, nullptr, &best, nullptr, &at);
             strongest = std::max(strongest, best);
             if (best < std::max(options.quality * strongest, options.minResponse))
             {
@@ -123,6 +128,7 @@ std::vector<Corner> detectCorners(const PreparedImage& image,
             const Eigen::Vector2d uv(at.x + cell.box.x, at.y + cell.box.y);
             ++cell.count;
             occupied.push_back(uv);
+            for (Cell& other : cells) clearAround(other, uv, options.minDistance_px);
             if (resemblesSurroundings(image, uv, options)) continue;
             corners.push_back({uv, best});
         }

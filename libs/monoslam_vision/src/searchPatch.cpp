@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "EllipseScores.h"
+
 namespace monoslam
 {
 namespace
 {
 /** Variance times n below which a window counts as flat [grey levels^2]. */
 constexpr double kFlat = 1e-3;
+constexpr float kUnknown = -2.0F;         ///< score of a pixel that was not looked at
+constexpr double kSmallArea_px2 = 500.0;  ///< of an ellipse in which every pixel is scored
+constexpr double kStandsOut = 0.4;        ///< below the least score, and still worth a climb
 
 template <int Stride>
 int productSum(const std::int16_t* patch, const std::uint8_t* image, std::size_t step, int rows)
@@ -39,73 +44,45 @@ double boxSum(const cv::Mat& integral, int left, int top, int side)
     return static_cast<double>(b[left + side] - b[left] - a[left + side] + a[left]);
 }
 
-/** Rectangle of integer pixels with one score each. */
-struct ScoreMap
+std::vector<CorrelationPeak> allPeaks(EllipseScores& scores, double minScore)
 {
-    int left = 0;
-    int top = 0;
-    int width = 0;
-    int height = 0;
-    std::vector<float> scores;
+    scores.fill(1);
+    std::vector<CorrelationPeak> peaks;
+    scores.forEvery(1,
+                    [&](int u, int v)
+                    {
+                        const auto score = static_cast<double>(scores.at(u, v));
+                        if (score >= minScore && scores.isPeak(u, v, 1))
+                            peaks.push_back({Eigen::Vector2d(u, v), score});
+                    });
+    return peaks;
+}
 
-    [[nodiscard]] float at(int u, int v) const
+/** Every other pixel, then uphill from each that stands out: smoothed patches still correlate two
+ *  pixels off. */
+std::vector<CorrelationPeak> climbedPeaks(EllipseScores& scores, double minScore)
+{
+    scores.fill(2);
+    std::vector<cv::Point> starts;
+    scores.forEvery(2,
+                    [&](int u, int v)
+                    {
+                        const auto score = static_cast<double>(scores.at(u, v));
+                        if (score >= minScore - kStandsOut && scores.isPeak(u, v, 2))
+                            starts.emplace_back(u, v);
+                    });
+    std::vector<CorrelationPeak> peaks;
+    for (const cv::Point& start : starts)
     {
-        if (u < left || v < top || u >= left + width || v >= top + height) return -1.0F;
-        return scores[static_cast<std::size_t>((v - top) * width + u - left)];
+        const cv::Point top = scores.climb(start);
+        const Eigen::Vector2d uv(top.x, top.y);
+        const bool known =
+            std::any_of(peaks.begin(), peaks.end(),
+                        [&](const CorrelationPeak& other) { return other.uv_px == uv; });
+        const auto score = static_cast<double>(scores.at(top.x, top.y));
+        if (score >= minScore && !known) peaks.push_back({uv, score});
     }
-};
-
-ScoreMap boundingBox(const PreparedImage& image, const Patch& patch,
-                     const PatchSearchRegion& region)
-{
-    const int margin = patch.half_px;
-    const double reachU = std::sqrt(region.gate * region.S(0, 0));
-    const double reachV = std::sqrt(region.gate * region.S(1, 1));
-    const auto low = [margin](double value)
-    { return std::max(margin, static_cast<int>(std::ceil(std::max(value, 0.0)))); };
-    const auto high = [margin](double value, int size)
-    { return static_cast<int>(std::floor(std::min(value, size - 1.0 - margin))); };
-    ScoreMap map;
-    map.left = low(region.centre_px.x() - reachU);
-    map.top = low(region.centre_px.y() - reachV);
-    map.width = high(region.centre_px.x() + reachU, image.width_px) - map.left + 1;
-    map.height = high(region.centre_px.y() + reachV, image.height_px) - map.top + 1;
-    map.width = std::max(map.width, 0);
-    map.height = std::max(map.height, 0);
-    map.scores.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
-                      -1.0F);
-    return map;
-}
-
-long fillEllipse(const PreparedImage& image, const Patch& patch, const PatchSearchRegion& region,
-                 ScoreMap& map)
-{
-    const Eigen::Matrix2d information = region.S.inverse();
-    long pixels = 0;
-    for (int v = map.top; v < map.top + map.height; ++v)
-        for (int u = map.left; u < map.left + map.width; ++u)
-        {
-            const Eigen::Vector2d d = Eigen::Vector2d(u, v) - region.centre_px;
-            if (d.dot(information * d) >= region.gate) continue;
-            const auto at = static_cast<std::size_t>((v - map.top) * map.width + u - map.left);
-            map.scores[at] = static_cast<float>(correlate(image, patch, u, v));
-            ++pixels;
-        }
-    return pixels;
-}
-
-bool isPeak(const ScoreMap& map, int u, int v)
-{
-    const float score = map.at(u, v);
-    for (int dv = -1; dv <= 1; ++dv)
-        for (int du = -1; du <= 1; ++du)
-        {
-            if (du == 0 && dv == 0) continue;
-            const float other = map.at(u + du, v + dv);
-            const bool earlier = dv < 0 || (dv == 0 && du < 0);
-            if (other > score || (earlier && other == score)) return false;
-        }
-    return true;
+    return peaks;
 }
 
 void keepSeparate(std::vector<CorrelationPeak>& peaks, const PatchSearchRegion& region)
@@ -145,13 +122,12 @@ double correlate(const PreparedImage& image, const Patch& patch, int u, int v)
 PatchSearch searchPatch(const PreparedImage& image, const Patch& patch,
                         const PatchSearchRegion& region)
 {
+    EllipseScores scores(image, patch, region);
+    const double area_px2 = M_PI * region.gate * std::sqrt(region.S.determinant());
     PatchSearch result;
-    ScoreMap map = boundingBox(image, patch, region);
-    result.pixels = fillEllipse(image, patch, region, map);
-    for (int v = map.top; v < map.top + map.height; ++v)
-        for (int u = map.left; u < map.left + map.width; ++u)
-            if (map.at(u, v) >= region.minScore && isPeak(map, u, v))
-                result.peaks.push_back({Eigen::Vector2d(u, v), static_cast<double>(map.at(u, v))});
+    result.peaks = area_px2 <= kSmallArea_px2 ? allPeaks(scores, region.minScore)
+                                              : climbedPeaks(scores, region.minScore);
+    result.pixels = scores.pixels();
     keepSeparate(result.peaks, region);
     return result;
 }
