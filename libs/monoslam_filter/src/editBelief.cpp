@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "monoslam_models/rowPose.h"
 #include "resizeBelief.h"
 
 namespace monoslam
@@ -30,12 +31,14 @@ Belief append(Belief belief, LandmarkId id, LandmarkKind kind, const Eigen::Vect
 std::optional<Belief> addUndelayed(Belief belief, const Camera& camera, LandmarkId id,
                                    const Eigen::Vector2d& uv_px, const UndelayedPrior& prior)
 {
-    const auto born = initializeUndelayed(camera, belief.pose(), uv_px, prior.rho0);
+    const RowPose row = poseAfter(belief.camera(), rowTime_s(camera, uv_px.y()));
+    const auto born = initializeUndelayed(camera, row.pose, uv_px, prior.rho0);
     if (!born) return std::nullopt;
     const double variance_px = prior.sigma_px * prior.sigma_px;
     const Eigen::Vector3d R(variance_px, variance_px, prior.sigma_rho * prior.sigma_rho);
-    const Eigen::MatrixXd P_yx = born->J_y_pose * belief.P.topRows<kPoseSize>();
-    const Eigen::MatrixXd P_yy = P_yx.leftCols<kPoseSize>() * born->J_y_pose.transpose() +
+    const Eigen::Matrix<double, 6, 13> J_y_xv = born->J_y_pose * row.J_pose_xv;
+    const Eigen::MatrixXd P_yx = J_y_xv * belief.P.topRows<camera_state::kSize>();
+    const Eigen::MatrixXd P_yy = P_yx.leftCols<camera_state::kSize>() * J_y_xv.transpose() +
                                  born->J_y_z * R.asDiagonal() * born->J_y_z.transpose();
     return append(std::move(belief), id, LandmarkKind::InverseDepth, born->y, P_yx, P_yy);
 }

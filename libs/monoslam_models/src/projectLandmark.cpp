@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "monoslam_models/quaternion.h"
+#include "monoslam_models/rowPose.h"
 
 namespace monoslam
 {
@@ -57,43 +58,13 @@ std::optional<ProjectedLandmark> projectAtPose(const Camera& camera, const Vecto
     return projected;
 }
 
-/** Pose s seconds after the middle row, and how it depends on s and the camera state. */
-struct RowPose
-{
-    Vector7d pose;
-    Vector7d J_pose_s;
-    Eigen::Matrix<double, 7, 13> J_pose_xv;
-};
-
-RowPose poseAfter(const Vector13d& x_v, double s)
-{
-    const Eigen::Vector3d v = x_v.segment<3>(kVelocity);
-    const Eigen::Vector3d omega = x_v.segment<3>(kAngularVelocity);
-    Matrix43d J_dq_phi;
-    Eigen::Matrix4d J_qs_q, J_qs_dq;
-    const Eigen::Vector4d dq = quaternionExp(omega * s, &J_dq_phi);
-    const Eigen::Vector4d q_s =
-        quaternionProduct(x_v.segment<4>(kOrientation), dq, &J_qs_q, &J_qs_dq);
-    const Matrix43d J_qs_phi = J_qs_dq * J_dq_phi;
-
-    RowPose row;
-    row.pose << x_v.head<3>() + v * s, q_s;
-    row.J_pose_s << v, J_qs_phi * omega;
-    row.J_pose_xv.setZero();
-    row.J_pose_xv.block<3, 3>(kPosition, kPosition).setIdentity();
-    row.J_pose_xv.block<4, 4>(kOrientation, kOrientation) = J_qs_q;
-    row.J_pose_xv.block<3, 3>(kPosition, kVelocity).diagonal().setConstant(s);
-    row.J_pose_xv.block<4, 3>(kOrientation, kAngularVelocity) = s * J_qs_phi;
-    return row;
-}
-
 /** h = g(x, s(h)), s(h) = (h_v / height - 1/2) readout: Newton steps for s, and implicitly
  *  dh/dx = (I - dg/ds ds/dh)^-1 dg/dx. */
 std::optional<ProjectedLandmark> projectRolling(const Camera& camera, const Vector13d& x_v,
                                                 LandmarkKind kind, const VectorRef& y)
 {
     const double readout_s = camera.parameters().readout_s;
-    const double rowTime_s = readout_s / camera.parameters().height_px;
+    const double perRow_s = readout_s / camera.parameters().height_px;
     double s = 0;
     for (int i = 0; i < 10; ++i)
     {
@@ -102,14 +73,14 @@ std::optional<ProjectedLandmark> projectRolling(const Camera& camera, const Vect
         if (!g) return {};
         const Eigen::Matrix<double, 2, 7> J_g_pose = g->J_h_xv.leftCols<kPoseSize>();
         const Eigen::Vector2d J_g_s = J_g_pose * row.J_pose_s;
-        const double error = s - (g->h.y() * rowTime_s - 0.5 * readout_s);
+        const double error = s - (g->h.y() * perRow_s - 0.5 * readout_s);
         if (std::abs(error) > 1e-12 * readout_s)
         {
-            s -= error / (1 - J_g_s.y() * rowTime_s);
+            s -= error / (1 - J_g_s.y() * perRow_s);
             continue;
         }
         Eigen::Matrix2d M = Eigen::Matrix2d::Identity();
-        M.col(1) -= J_g_s * rowTime_s;
+        M.col(1) -= J_g_s * perRow_s;
         const Eigen::Matrix2d J_h_g = M.inverse();
         const Eigen::Matrix<double, 2, 13> J_g_xv = J_g_pose * row.J_pose_xv;
         g->J_h_xv = J_h_g * J_g_xv;

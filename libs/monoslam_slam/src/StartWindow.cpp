@@ -7,6 +7,7 @@
 
 #include "LandmarkFinder.h"
 #include "beliefFromWindow.h"
+#include "monoslam_models/rowPose.h"
 #include "startGuesses.h"
 
 namespace monoslam
@@ -33,13 +34,22 @@ void StartWindow::record(double t_s, long frame, const Belief& belief,
 {
     if (!open_) return;
     StartView view{t_s, belief.pose(), {}};
+    const auto keep = [&](LandmarkId id, const Eigen::Vector2d& z, const Eigen::Matrix2d& R)
+    {
+        const Eigen::Index index = belief.find(id);
+        if (index < 0) return;
+        const Eigen::Vector3d p_w =
+            landmarkPoint(belief, belief.landmarks[static_cast<std::size_t>(index)]);
+        const double rho = 1.0 / (p_w - belief.x.head<3>()).norm();
+        if (const auto uv = globalPixel(camera_, belief.camera(), z, rho))
+            view.pixels.push_back({id, *uv, R});
+    };
     for (const Association& seen : associations)
         if (seen.fate == Fate::Matched || seen.fate == Fate::Rejected)
-            view.pixels.push_back({seen.id, seen.z, seen.R});
+            keep(seen.id, seen.z, seen.R);
     for (const auto& [id, record] : records)
         if (record.bornFrame == frame)
-            view.pixels.push_back(
-                {id, record.born.uv_px, sigma_px * sigma_px * Eigen::Matrix2d::Identity()});
+            keep(id, record.born.uv_px, sigma_px * sigma_px * Eigen::Matrix2d::Identity());
     views_.push_back(std::move(view));
 }
 

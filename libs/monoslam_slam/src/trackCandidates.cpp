@@ -5,6 +5,7 @@
 
 #include "LandmarkFinder.h"
 #include "MapKeeper.h"
+#include "monoslam_models/rowPose.h"
 
 namespace monoslam
 {
@@ -93,13 +94,15 @@ Mixture MapKeeper::startCandidates(Mixture mixture, const std::vector<Eigen::Vec
     if (rule.clone) mixture = clonePose(std::move(mixture), clone);
     for (const auto& uv : pixels)
     {
+        const auto global = globalPixel(camera_, best(mixture).camera(), uv, prior.rho0);
+        if (!global) continue;
         TrackedCorner corner;
         corner.id = nextId_++;
         corner.born = {frame.image, uv, best(mixture).pose(), {}};
         corner.first.clone = clone;
         corner.first.pose = best(mixture).pose();
         corner.first.variance = best(mixture).P.diagonal().head<7>();
-        corner.first.uv_px = uv;
+        corner.first.uv_px = *global;
         corner.uv_px = uv;
         corner.rho = prior.rho0;
         corner.sigma_rho = prior.sigma_rho;

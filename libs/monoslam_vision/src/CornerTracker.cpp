@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "monoslam_models/quaternion.h"
+#include "monoslam_models/rowPose.h"
 #include "monoslam_vision/searchPatch.h"
 
 namespace monoslam
@@ -27,7 +28,8 @@ struct Band
 std::optional<Band> projectBand(const TrackedCorner& corner, const Belief& belief,
                                 const Camera& camera)
 {
-    const auto born = initializeUndelayed(camera, corner.first.pose, corner.born.uv_px, corner.rho);
+    const auto born =
+        initializeUndelayed(camera, corner.first.pose, corner.first.uv_px, corner.rho);
     if (!born) return std::nullopt;
     const auto at = [&](double rho)
     {
@@ -84,8 +86,10 @@ std::optional<AlignedPatch> find(const TrackedCorner& corner, const Band& band,
 /** Depth from the pair of views, once the parallax says something about it. */
 void refineDepth(TrackedCorner& corner, const Belief& belief, const Camera& camera)
 {
+    const auto global = globalPixel(camera, belief.camera(), corner.uv_px, corner.rho);
+    if (!global) return;
     corner.triangulation =
-        triangulate(camera, {corner.first.pose, corner.first.uv_px}, {belief.pose(), corner.uv_px});
+        triangulate(camera, {corner.first.pose, corner.first.uv_px}, {belief.pose(), *global});
     if (!corner.triangulation || corner.triangulation->alpha_rad < kTriangulationTrust_rad) return;
     const Eigen::Vector3d p_w = toPoint(corner.triangulation->y);
     const double distance = (p_w - corner.first.pose.head<3>()).norm();
