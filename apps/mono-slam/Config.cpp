@@ -118,6 +118,7 @@ Config loadConfig(const Arguments& arguments)
     config.camera = CameraOptions::from(section("camera"));
     config.output = OutputOptions::from(section("output"));
     config.slam = MonoSlamOptions::from(file, config.fileName);
+    config.slam.estimateReadout = config.camera.estimateReadout;
     config.associator = readAssociator(file, config.fileName);
     completeRawlogPath(config, arguments);
     if (!arguments.output.empty()) config.output.directory = arguments.output;

@@ -20,6 +20,11 @@ void requirePositive(double value, const std::string& name)
     require(std::isfinite(value) && value > 0, name + " must be > 0");
 }
 
+void checkReadout(double readout_s)
+{
+    require(std::isfinite(readout_s) && readout_s >= 0, "readout_s must be >= 0");
+}
+
 void checkNumbers(const CameraParameters& p)
 {
     requirePositive(p.width_px, "width_px");
@@ -28,7 +33,7 @@ void checkNumbers(const CameraParameters& p)
     requirePositive(p.fy_px, "fy_px");
     require(std::isfinite(p.cx_px), "cx_px must be finite");
     require(std::isfinite(p.cy_px), "cy_px must be finite");
-    require(std::isfinite(p.readout_s) && p.readout_s >= 0, "readout_s must be >= 0");
+    checkReadout(p.readout_s);
     for (const double k : p.distortion.k)
         require(std::isfinite(k), "distortion coefficients must be finite");
 }
@@ -59,6 +64,12 @@ Camera::Camera(const CameraParameters& parameters) : parameters_(parameters)
     maxAngle_rad_ = maxAngle(parameters_.distortion, focalLengths(parameters_));
     maxTan2_ = std::pow(std::tan(maxAngle_rad_), 2);
     checkValidPart(parameters_, maxAngle_rad_);
+}
+
+void Camera::setReadout(double readout_s)
+{
+    checkReadout(readout_s);
+    parameters_.readout_s = readout_s;
 }
 
 std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& h_c, Matrix23d* J_uv_h) const

@@ -127,7 +127,8 @@ CameraOptions CameraOptions::from(ConfigSection section)
     p.cx_px = section.get("cx_px", p.cx_px);
     p.cy_px = section.get("cy_px", p.cy_px);
     p.distortion = distortionFrom(section);
-    o.readout_s = section.get("readout_s", o.readout_s, {-1, 1});
+    o.readout_s = section.get("readout_s", o.readout_s, {0, 1});
+    o.estimateReadout = section.get("estimate_readout", o.estimateReadout);
     section.rejectUnknownKeys();
     if (!fromIni) return o;
     for (const char* key : {"width_px", "height_px", "fx_px", "fy_px", "cx_px", "cy_px"})

@@ -27,6 +27,7 @@ struct FrameContext
 class MapKeeper
 {
    public:
+    /** Keeps a reference to the camera, whose readout may change. */
     MapKeeper(const MonoSlamOptions& options, const Camera& camera, unsigned seed);
 
     /** Known points of the metric target become landmarks that are never removed while they match. */
@@ -84,7 +85,7 @@ class MapKeeper
     void forget(LandmarkId id);
 
     MonoSlamOptions options_;
-    Camera camera_;
+    const Camera& camera_;
     std::mt19937 rng_;
     LandmarkRecords records_;
     std::vector<TrackedCorner> corners_;

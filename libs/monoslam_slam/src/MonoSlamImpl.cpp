@@ -93,6 +93,11 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     if (options.search.subpixel)
         noise.adapt(settledResiduals(belief, camera, report.associations, keeper.records()));
     keeper.noteResiduals(belief, report.associations);
+    if (options.estimateReadout)
+    {
+        readout.observe(belief, camera, report.associations, noise.sigma_px());
+        camera.setReadout(readout.readout_s());
+    }
     report.residualRms_px = residualRms_px(belief, camera, report.associations);
     for (const auto& association : report.associations)
         if (association.fate == Fate::Matched) ++report.matched;
@@ -122,6 +127,7 @@ void MonoSlam::Impl::summarize(FrameReport& report) const
     report.x_v = belief.camera();
     report.P_v = belief.P.topLeftCorner<13, 13>();
     if (target) report.P_v.topLeftCorner<7, 7>() += worldCovariance(*target, report.x_v.head<7>());
+    report.readout_s = camera.parameters().readout_s;
     report.landmarks = static_cast<int>(belief.landmarks.size());
     report.visible = static_cast<int>(report.associations.size());
     report.candidates = keeper.candidates();

@@ -8,6 +8,7 @@
 
 #include "MapKeeper.h"
 #include "MatchNoise.h"
+#include "ReadoutEstimator.h"
 #include "StartWindow.h"
 #include "TrackingJudge.h"
 #include "monoslam_slam/MonoSlam.h"
@@ -25,10 +26,11 @@ struct MonoSlam::Impl
           associator(std::move(a)),
           engine(std::move(e)),
           rng(seed),
-          keeper(options, c, seed),
+          keeper(options, camera, seed),
           noise(options.search),
           judge(options.map)
     {
+        readout.startAt(camera.parameters().readout_s);
     }
 
     MonoSlamOptions options;
@@ -38,6 +40,7 @@ struct MonoSlam::Impl
     std::mt19937 rng;
     MapKeeper keeper;
     MatchNoise noise;
+    ReadoutEstimator readout;
     TrackingJudge judge;
     Mixture mixture;
     double t_s = 0.0;

@@ -31,6 +31,13 @@ double sum(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+/** Median over the second half of a run, when an estimate has settled. */
+double settledReadout_s(const std::vector<double>& readouts_s)
+{
+    const auto half = static_cast<std::ptrdiff_t>(readouts_s.size() / 2);
+    return quantile({readouts_s.begin() + half, readouts_s.end()}, 0.5);
+}
+
 nlohmann::json figuresOf(const std::vector<double>& times_ms, double total_ms)
 {
     return {{"median_ms", quantile(times_ms, 0.5)},
@@ -58,6 +65,7 @@ void RunSummary::add(const FrameReport& report, double decode_ms)
     if (times_ms_[0].size() == 1) start_s_ = report.t_s;
     end_s_ = report.t_s;
     if (!report.hasPose()) return;
+    readouts_s_.push_back(report.readout_s);
     const Eigen::Vector3d r_wc = report.x_v.head<3>();
     if (firstPose_ >= 0) pathLength_m_ += (r_wc - last_r_wc_).norm();
     if (firstPose_ < 0) firstPose_ = report.index;
@@ -86,6 +94,7 @@ void RunSummary::write(const std::string& folder, const RunFacts& facts) const
     json["first_pose_frame"] = firstPose_;
     json["duration_s"] = end_s_ - start_s_;
     json["path_length"] = pathLength_m_;
+    json["readout_s"] = settledReadout_s(readouts_s_);
     json["remarks"] = remarks_;
     json["totals"] = totals_;
     json["map"] = map_;

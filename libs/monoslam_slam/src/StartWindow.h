@@ -22,6 +22,7 @@ namespace monoslam
 class StartWindow
 {
    public:
+    /** Keeps a reference to the camera. */
     StartWindow(const StartOptions& options, const Camera& camera, bool metric)
         : options_(options), camera_(camera), metric_(metric)
     {
@@ -48,7 +49,7 @@ class StartWindow
     [[nodiscard]] SmoothedWindow smooth(const Window& window) const;
 
     StartOptions options_;
-    Camera camera_;
+    const Camera& camera_;
     bool metric_;
     bool open_ = true;
     std::size_t nextThreshold_ = 0;

@@ -36,6 +36,10 @@ class MONOSLAM_MODELS_EXPORT Camera
 
     [[nodiscard]] const CameraParameters& parameters() const { return parameters_; }
 
+    /** Changes the rolling shutter's readout alone.
+     *  \throw std::invalid_argument if it is negative or not finite */
+    void setReadout(double readout_s);
+
     /** Largest angle from the optical axis [rad] up to which project() is one to one. */
     [[nodiscard]] double maxAngle_rad() const { return maxAngle_rad_; }
 

@@ -42,6 +42,7 @@ struct MONOSLAM_MRPT_EXPORT CameraOptions
 {
     std::optional<CameraParameters> calibration;  ///< with source = ini; else the rawlog's is used
     double readout_s = 0.0;                       ///< rolling shutter, in both cases
+    bool estimateReadout = false;                 ///< from the residuals, beginning with readout_s
 
     static CameraOptions from(ConfigSection section);
 

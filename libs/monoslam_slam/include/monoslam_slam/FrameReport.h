@@ -49,6 +49,7 @@ struct FrameReport
     int matched = 0;
     int added = 0;
     int removed = 0;
+    double readout_s = 0.0;       ///< of the shutter, given or estimated
     double residualRms_px = 0.0;  ///< of the matched pixels after the update
     std::vector<Association> associations;
     AssociationCounters counters;

@@ -36,6 +36,7 @@ struct MONOSLAM_SLAM_EXPORT MonoSlamOptions
     MapOptions map;
     MetricStartOptions metricStart;
     EngineName engine = EngineName::Ours;
+    bool estimateReadout = false;  ///< of a rolling shutter; not read here, [camera] says it
 
     /** Reads [motion] [search] [detection] [initialization] [start] [map] [metric_start] [filter].
      *  \throw std::invalid_argument naming file, section and key */

@@ -42,6 +42,7 @@ class MONOSLAM_SLAM_EXPORT RunSummary
 
     std::array<long, 4> states_{};  ///< frames in each TrackingState
     std::array<std::vector<double>, kStages> times_ms_;
+    std::vector<double> readouts_s_;
     std::map<std::string, long> remarks_;
     std::map<std::string, long> totals_;
     std::map<std::string, long> map_;
