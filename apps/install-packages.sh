@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
     ca-certificates ccache cmake g++ ninja-build
-    libboost-dev libeigen3-dev libtclap-dev nlohmann-json3-dev
+    libboost-dev libeigen3-dev libtclap-dev nlohmann-json3-dev zlib1g-dev
     libmrpt-bayes-dev libmrpt-config-dev libmrpt-obs-dev libmrpt-opengl-dev
     libopencv-calib3d-dev libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
     libopencv-videoio-dev

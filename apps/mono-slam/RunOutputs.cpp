@@ -54,6 +54,7 @@ RunOutputs::RunOutputs(const Config& config, const Arguments& arguments, const R
     facts_.versions = versions();
     facts_.config = config.values;
     facts_.notes = reader.gaps();
+    if (!reader.damage().empty()) facts_.notes.push_back(reader.damage());
     frames_ = std::make_unique<FrameWriters>(folder_);
     if (!arguments.robotPath.empty())
         robotPath_ = std::make_unique<OutputFile>(arguments.robotPath);

@@ -62,6 +62,19 @@ void processAll(RawlogReader& reader, MonoSlam& slam, RunOutputs& outputs)
         progress.show(++done, name(report.state));
     }
 }
+/** After an error, which is the one to report: the disk may be full for these files too. */
+bool keepResultsSoFar(const MonoSlam& slam, RunOutputs& outputs)
+{
+    try
+    {
+        outputs.finish(slam, true);
+        return true;
+    }
+    catch (const std::exception&)
+    {
+        return false;
+    }
+}
 }  // namespace
 
 int run(const Arguments& arguments)
@@ -79,6 +92,7 @@ int run(const Arguments& arguments)
     MonoSlam slam(config.slam, Camera(reader.camera()), std::move(config.associator),
                   arguments.seed, makeEngine(config.slam.engine));
     describe(reader, config);
+    if (arguments.dryRun && !reader.damage().empty()) throw std::runtime_error(reader.damage());
     if (arguments.dryRun) return 0;
 
     RunOutputs outputs(config, arguments, reader);
@@ -88,10 +102,10 @@ int run(const Arguments& arguments)
     {
         processAll(reader, slam, outputs);
     }
-    catch (...)
+    catch (const std::exception& e)
     {
-        outputs.finish(slam, true);  // what was computed so far stays readable
-        throw;
+        if (keepResultsSoFar(slam, outputs)) throw;
+        throw std::runtime_error(e.what() + std::string("; the files of the end are incomplete"));
     }
     outputs.finish(slam, interrupted != 0);
     std::printf("%soutputs in %s\n", outputs.summary().text().c_str(),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 
 #include "TemporaryFolder.h"
 #include "exampleRawlog.h"
@@ -38,6 +39,51 @@ class SpoiledRun : public testing::Test
         EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
         for (const auto& word : words)
             EXPECT_NE(message.find(word), std::string::npos) << word << " not in: " << message;
+    }
+
+    /** Lines of an output file. */
+    [[nodiscard]] long linesOf(const std::string& name) const
+    {
+        const std::string text = readText(out_ + "/" + name);
+        return std::count(text.begin(), text.end(), '\n');
+    }
+
+    /** An output file of lines, each with its line end and as many fields as the first. */
+    void expectCompleteTable(const std::string& name) const
+    {
+        const std::string text = readText(out_ + "/" + name);
+        ASSERT_FALSE(text.empty()) << name;
+        EXPECT_EQ(text.back(), '\n') << name;
+        std::istringstream lines(text);
+        const auto separators = [](const std::string& line)
+        {
+            bool quoted = false;
+            return std::count_if(line.begin(), line.end(),
+                                 [&quoted](char c)
+                                 {
+                                     if (c == '"') quoted = !quoted;
+                                     return !quoted && (c == ',' || c == ' ');
+                                 });
+        };
+        std::string first, line;
+        std::getline(lines, first);
+        while (std::getline(lines, line)) EXPECT_EQ(separators(line), separators(first)) << line;
+    }
+
+    /** What an interrupted run leaves: every file, complete, and a summary that says so. */
+    void expectResultsSoFar() const
+    {
+        for (const char* name : {"trajectory.tum", "covariance.csv", "frames.csv", "map.csv"})
+            expectCompleteTable(name);
+        for (const char* name : {"map.ply", "summary.json"})
+        {
+            const std::string text = readText(out_ + "/" + name);
+            ASSERT_FALSE(text.empty()) << name;
+            EXPECT_EQ(text.back(), '\n') << name;
+        }
+        EXPECT_TRUE(std::filesystem::exists(out_ + "/map.3Dscene"));
+        EXPECT_NE(readText(out_ + "/summary.json").find("\"interrupted\": true"),
+                  std::string::npos);
     }
 
     [[nodiscard]] std::string image(int index) const

@@ -37,6 +37,8 @@ TEST_F(BadInput, ValueOutOfRange)
 {
     expectOneLine(run("--set rawlog.every_nth=0"), {"[rawlog]", "every_nth", "0"});
     expectOneLine(run("--set rawlog.first_frame=99"), {"first_frame = 99", "30 images"});
+    expectOneLine(run("--set search.patch_px=12"), {"[search]", "patch_px", "12"});
+    expectOneLine(run("--set motion.sigma_accel_mps2=-1"), {"[motion]", "sigma_accel_mps2", "-1"});
 }
 
 TEST_F(BadInput, SettingWithoutADotOrAnEqualsSign)
@@ -64,14 +66,28 @@ TEST_F(BadInput, OutputThatCannotBeWritten)
 
 TEST_F(BadInput, FullDisk)
 {
-    for (const char* name :
-         {"trajectory.tum", "frames.csv", "map.csv", "map.3Dscene", "summary.json"})
+    for (const std::string name :
+         {"trajectory.tum", "covariance.csv", "frames.csv", "groundtruth.tum", "map.csv", "map.ply",
+          "map.3Dscene", "summary.json", "pictures/frame_000000.jpg", "top_view.png"})
     {
         fs::remove_all(out_);
-        fs::create_directory(out_);
+        fs::create_directories(out_ + "/pictures");
         fs::create_symlink("/dev/full", out_ + "/" + name);
-        expectOneLine(run("--force"), {name, "cannot be written"});
+        expectOneLine(run("--force --pictures --set rawlog.frame_count=3"),
+                      {name, "cannot be written"});
     }
+    expectOneLine(run("--force --robot-path /dev/full"), {"/dev/full", "cannot be written"});
+}
+
+/** A disk that fills up in the midst of the run: no file may grow beyond four kilobytes. */
+TEST_F(BadInput, FullDiskInTheMidstOfTheRunKeepsTheResultsSoFar)
+{
+    expectOneLine(run({}, "trap '' XFSZ; ulimit -f 8;"), {"cannot be written"});
+    const std::string frames = readText(out_ + "/frames.csv");
+    EXPECT_LE(frames.size(), 4096U);
+    EXPECT_GT(std::count(frames.begin(), frames.end(), '\n'), 5);
+    for (const char* name : {"trajectory.tum", "covariance.csv", "frames.csv"})
+        expectCompleteTable(name);
 }
 
 TEST_F(BadInput, InterruptLeavesCompleteOutputs)
@@ -83,13 +99,8 @@ TEST_F(BadInput, InterruptLeavesCompleteOutputs)
                                  " || ! kill -0 $p; do sleep 0.01; done; kill -INT $p; wait $p");
     if (result.status == 0) GTEST_SKIP() << "the run was over before the signal";
     EXPECT_EQ(result.status, 130) << result.output;
-    for (const char* name : {"trajectory.tum", "frames.csv", "map.csv", "map.ply", "summary.json"})
-    {
-        const std::string text = readText(out_ + "/" + name);
-        ASSERT_FALSE(text.empty()) << name;
-        EXPECT_EQ(text.back(), '\n') << name;
-    }
-    EXPECT_NE(readText(out_ + "/summary.json").find("\"interrupted\": true"), std::string::npos);
+    expectResultsSoFar();
+    EXPECT_GT(linesOf("frames.csv"), 5);
 }
 }  // namespace
 }  // namespace monoslam

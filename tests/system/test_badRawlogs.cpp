@@ -27,7 +27,20 @@ TEST_F(BadRawlog, FileThatIsNoRawlog)
 TEST_F(BadRawlog, TruncatedRawlog)
 {
     fs::resize_file(rawlog_, fs::file_size(rawlog_) / 2);
-    expectOneLine(run(), {"good.rawlog", "truncated"});
+    expectOneLine(run("--dry-run"), {"good.rawlog", "truncated", "objects"});
+    EXPECT_FALSE(fs::exists(out_));
+    expectOneLine(run(), {"good.rawlog", "truncated", "objects"});
+    EXPECT_GT(linesOf("trajectory.tum"), 5);  // the frames before the damage
+    EXPECT_LT(linesOf("trajectory.tum"), 30);
+    expectResultsSoFar();
+    EXPECT_NE(readText(out_ + "/summary.json").find("truncated"), std::string::npos);
+}
+
+TEST_F(BadRawlog, TruncatedAfterTheLastFrameThatWasAskedFor)
+{
+    fs::resize_file(rawlog_, fs::file_size(rawlog_) / 2);
+    const auto result = run("--set rawlog.frame_count=5");
+    EXPECT_EQ(result.status, 0) << result.output;
 }
 
 TEST_F(BadRawlog, RawlogWithoutImages)
@@ -41,6 +54,7 @@ TEST_F(BadRawlog, RawlogWithoutImages)
     writer.addTruth(kExampleStart, {});
     writer.close();
     expectOneLine(run(), {"good.rawlog", "no images"});
+    EXPECT_FALSE(fs::exists(out_));
 }
 
 TEST_F(BadRawlog, ImageThatIsMissing)
@@ -53,6 +67,8 @@ TEST_F(BadRawlog, ImageThatCannotBeDecoded)
 {
     fs::resize_file(image(5), 700);
     expectOneLine(run(), {"frame 5", "000005.png", "decoded"});
+    EXPECT_EQ(linesOf("trajectory.tum"), 5);
+    expectResultsSoFar();
 }
 
 TEST_F(BadRawlog, ImageOfAnotherSize)
@@ -90,13 +106,21 @@ TEST_F(BadRawlog, MissingFramesAreReportedAndNoError)
 
 TEST_F(BadRawlog, FrameWithoutCalibration)
 {
-    mrpt::io::CFileGZOutputStream stream(rawlog_);
-    mrpt::obs::CObservationImage observation;
-    observation.timestamp = clockOf(kExampleStart);
-    observation.image.setExternalStorage("000000.png");
-    mrpt::serialization::archiveFrom(stream) << observation;
-    stream.close();
-    expectOneLine(run(), {"good.rawlog", "frame 0", "calibration", "[camera]"});
+    for (const int without : {0, 1})
+    {
+        mrpt::io::CFileGZOutputStream stream(rawlog_);
+        for (int i = 0; i <= without; ++i)
+        {
+            mrpt::obs::CObservationImage observation;
+            observation.timestamp = clockOf(kExampleStart + i * kExampleStep);
+            observation.image.setExternalStorage("000000.png");
+            if (i < without) observation.cameraParams = toTCamera(exampleRawlogCamera());
+            mrpt::serialization::archiveFrom(stream) << observation;
+        }
+        stream.close();
+        expectOneLine(run("--force"), {"good.rawlog", "frame " + std::to_string(without),
+                                       "calibration", "[camera]"});
+    }
 }
 
 TEST_F(BadRawlog, SeveralLabels)

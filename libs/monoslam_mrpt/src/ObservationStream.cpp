@@ -2,11 +2,11 @@
 #include "monoslam_mrpt/ObservationStream.h"
 
 #include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include <filesystem>
 #include <stdexcept>
 
+#include "GzArchive.h"
 #include "monoslam_mrpt/registerAllClasses.h"
 
 namespace monoslam
@@ -33,27 +33,40 @@ ObservationStream::ObservationStream(const std::string& file) : file_(file)
 {
     registerAllClasses();
     if (!std::filesystem::exists(file)) throw std::runtime_error(file + ": no such rawlog");
-    if (!std::filesystem::is_regular_file(file) || !stream_.open(file))
+    if (std::filesystem::is_regular_file(file)) archive_ = std::make_unique<GzArchive>(file);
+    if (!archive_ || !archive_->isOpen())
         throw std::runtime_error(file + ": cannot be read as a rawlog");
+}
+
+ObservationStream::~ObservationStream() = default;
+
+void ObservationStream::failAfterObjects(const std::string& why) const
+{
+    if (objects_ == 0) throw std::runtime_error(file_ + ": not a rawlog (" + why + ")");
+    throw std::runtime_error(file_ + ": truncated or damaged after " + std::to_string(objects_) +
+                             " objects (" + why + ")");
 }
 
 CSerializable::Ptr ObservationStream::readObject()
 {
+    const std::uint64_t begin = archive_->bytesRead();
     try
     {
-        auto object = mrpt::serialization::archiveFrom(stream_).ReadObject();
+        auto object = archive_->ReadObject();
         ++objects_;
         return object;
     }
     catch (const mrpt::serialization::CExceptionEOF&)
     {
+        if (const std::string why = archive_->complaint(); !why.empty()) failAfterObjects(why);
+        // MRPT says end of file wherever an object's header is cut.
+        if (archive_->bytesRead() != begin) failAfterObjects("the file ends within an object");
         return nullptr;
     }
     catch (const std::exception& e)
     {
-        if (objects_ == 0) throw std::runtime_error(file_ + ": not a rawlog (" + essence(e) + ")");
-        throw std::runtime_error(file_ + ": truncated or damaged after " +
-                                 std::to_string(objects_) + " objects (" + essence(e) + ")");
+        const std::string why = archive_->complaint();
+        failAfterObjects(why.empty() ? essence(e) : why);
     }
 }
 

@@ -56,9 +56,13 @@ RawlogReader::RawlogReader(RawlogOptions rawlog, CameraOptions camera)
     : rawlog_(std::move(rawlog)), cameraOptions_(std::move(camera))
 {
     RawlogContents contents = scanRawlog(rawlog_.file, rawlog_.stereo_side);
+    if (contents.imageTimes.empty() && !contents.damage.empty())
+        throw std::runtime_error(contents.damage);
     rawlog_.sensor_label = chooseLabel(rawlog_, contents);
     groundTruth_ = std::move(contents.groundTruth);
     checkTimes(contents.imageTimes[rawlog_.sensor_label]);
+    if (rawlog_.frame_count == 0 || frameCount_ < rawlog_.frame_count)
+        damage_ = std::move(contents.damage);
     imagesFolder_ = imagesFolderOf(rawlog_.file);
     readCamera();
 }
@@ -149,6 +153,7 @@ void RawlogReader::readCamera()
 std::optional<Frame> RawlogReader::next()
 {
     const auto observation = nextImage();
+    if (!observation && !damage_.empty()) throw std::runtime_error(damage_);
     if (!observation) return std::nullopt;
     const auto recorded = imageOf(*observation, rawlog_.stereo_side);
     if (!cameraOptions_.calibration && !isCalibrated(*recorded->camera))

@@ -174,7 +174,8 @@ void RawlogWriter::close()
         failToWrite(options_.file);
     }
     const auto written = static_cast<long>(contents.imageTimes[options_.sensorLabel].size());
-    complete_ = written == images_ && static_cast<long>(contents.groundTruth.size()) == truths_;
+    complete_ = contents.damage.empty() && written == images_ &&
+                static_cast<long>(contents.groundTruth.size()) == truths_;
     if (!complete_) failToWrite(options_.file);
 }
 }  // namespace monoslam

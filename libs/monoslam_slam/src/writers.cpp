@@ -107,8 +107,15 @@ void OutputFile::write(const std::string& lines)
 {
     errno = 0;
     stream_ << lines << std::flush;
-    if (stream_) return;
+    if (stream_)
+    {
+        size_ += lines.size();
+        return;
+    }
     const std::string reason = errno == 0 ? "write failed" : std::strerror(errno);
+    stream_.close();
+    std::error_code ignored;  // a device has no size
+    if (fs::is_regular_file(path_, ignored)) fs::resize_file(path_, size_, ignored);
     throw std::runtime_error(path_ + ": cannot be written: " + reason);
 }
 

@@ -26,9 +26,11 @@ struct RawlogContents
     std::map<std::string, std::vector<Ticks>> imageTimes;  ///< of every label, in file order
     std::vector<StampedPose> groundTruth;                  ///< CObservationRobotPose labelled GT
     std::map<std::string, long> classes;                   ///< observations of each class
+    std::string damage;  ///< what ends the file early, naming it; empty if it is complete
 };
 
-/** \throw std::runtime_error if the file is missing, truncated or no rawlog */
+/** \throw std::runtime_error naming the file if it is missing, no rawlog, or damaged before its
+ *  first observation; damage after that is part of the result */
 [[nodiscard]] MONOSLAM_MRPT_EXPORT RawlogContents scanRawlog(const std::string& file,
                                                              StereoSide side = StereoSide::Left);
 }  // namespace monoslam

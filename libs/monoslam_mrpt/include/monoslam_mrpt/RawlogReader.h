@@ -31,18 +31,21 @@ struct MONOSLAM_MRPT_EXPORT RawlogOptions
 /** Images of one sensor in a rawlog as frames of one camera.
  *
  * The file is passed over once at the start, which finds what is wrong with it before anything is
- * computed, then streamed. Frames that are missing are no error: dt is real; see gaps(). */
+ * computed, then streamed. Frames that are missing are no error: dt is real; see gaps(). Of a
+ * truncated file the frames before the damage are read, then next() throws. Only a gz file says
+ * where it ends: a plain one that was cut exactly between two objects looks complete. */
 class MONOSLAM_MRPT_EXPORT RawlogReader
 {
    public:
     /** \throw std::runtime_error, std::invalid_argument naming file and frame: rawlog missing or
-     *  damaged, without images, with several labels, time not increasing, no calibration */
+     *  damaged before its first image, without images, with several labels, time not increasing, no
+     *  calibration */
     RawlogReader(RawlogOptions rawlog, CameraOptions camera);
     ~RawlogReader();
 
     /** The next frame, or nothing at the end.
      *  \throw std::runtime_error naming file and frame: image missing, undecodable, of another
-     *  size, or without calibration */
+     *  size, or without calibration; at the end: damage() */
     std::optional<Frame> next();
 
     [[nodiscard]] const CameraParameters& camera() const { return camera_; }
@@ -50,6 +53,9 @@ class MONOSLAM_MRPT_EXPORT RawlogReader
     [[nodiscard]] const std::string& sensorLabel() const { return rawlog_.sensor_label; }
     [[nodiscard]] long frameCount() const { return frameCount_; }  ///< that next() will yield
     [[nodiscard]] const std::vector<StampedPose>& groundTruth() const { return groundTruth_; }
+
+    /** What ends the file before the last frame that was asked for; empty if nothing does. */
+    [[nodiscard]] const std::string& damage() const { return damage_; }
 
     /** One line for every hole in time of more than one and a half median steps. */
     [[nodiscard]] const std::vector<std::string>& gaps() const { return gaps_; }
@@ -71,6 +77,7 @@ class MONOSLAM_MRPT_EXPORT RawlogReader
     long frameCount_ = 0;
     long yielded_ = 0;
     long index_ = -1;
+    std::string damage_;
     std::vector<StampedPose> groundTruth_;
     std::vector<std::string> gaps_;
 };

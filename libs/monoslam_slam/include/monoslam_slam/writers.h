@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -18,12 +19,14 @@ class MONOSLAM_SLAM_EXPORT OutputFile
    public:
     explicit OutputFile(const std::string& path);
 
-    /** Writes and flushes, so that an interrupted run leaves only complete lines. */
+    /** Writes and flushes, so that an interrupted run leaves only complete lines; where there is no
+     *  room for all of them, none is left. */
     void write(const std::string& lines);
 
    private:
     std::string path_;
     std::ofstream stream_;
+    std::uintmax_t size_ = 0;
 };
 
 /** The folder may be used if it is absent, empty, or force is set.
