@@ -12,7 +12,7 @@ packages=(
 )
 for group in "$@"; do
     case $group in
-        tests) packages+=(libbenchmark-dev libgtest-dev) ;;
+        tests) packages+=(libbenchmark-dev libgtest-dev python3-venv) ;;
         checks) packages+=(clang-format clang-tidy git) ;;
         *) echo "$0: unknown group '$group': tests or checks" >&2; exit 2 ;;
     esac

@@ -2,7 +2,7 @@
 """mono-slam-eval against evo (PyPI) on a made-up trajectory: all figures agree to 1e-6.
 
 usage: compare_with_evo.py MONO_SLAM_EVAL [GROUNDTRUTH ESTIMATE]
-Exit status 77 (skipped) where evo is not installed.
+Exit status 77 (skipped) where evo is not installed; tests/run.sh installs it to build/venv.
 """
 import copy
 import json
@@ -13,12 +13,14 @@ import subprocess
 import sys
 import tempfile
 
+HOME = tempfile.TemporaryDirectory()  # evo writes its settings there as soon as it is imported
+os.environ["HOME"] = HOME.name
 try:
     from evo.core import metrics, sync
     from evo.core.units import Unit
     from evo.tools import file_interface
 except ImportError:
-    print("skipped: evo is not installed (pip install evo)")
+    print("skipped: evo is not installed; pip install -r tests/requirements.txt")
     sys.exit(77)
 
 RELATION = metrics.PoseRelation
