@@ -59,7 +59,7 @@ inline TrackedCorner newborn(const Eigen::Vector3d& p_w, std::shared_ptr<const P
     TrackedCorner corner;
     corner.id = 3;
     corner.uv_px = pixelOf(p_w, poseOf(0));
-    corner.born = {std::move(image), corner.uv_px, poseOf(0)};
+    corner.born = {std::move(image), corner.uv_px, poseOf(0), {}};
     corner.first.pose = poseOf(0);
     corner.first.uv_px = corner.uv_px;
     corner.rho = factor / (p_w - poseOf(0).head<3>()).norm();

@@ -62,7 +62,7 @@ inline Belief withLandmark(LandmarkId id, double rho, double sigma_rho,
 
 struct KeptMap
 {
-    explicit KeptMap(const MonoSlamOptions& options) : keeper(options, keptCamera(), 1) {}
+    explicit KeptMap(const MonoSlamOptions& options) : keeper(options, camera, 1) {}
 
     /** First landmarks in a textured image; their ids. */
     std::vector<LandmarkId> addFirst()
@@ -104,6 +104,7 @@ struct KeptMap
         return all;
     }
 
+    Camera camera = keptCamera();
     MapKeeper keeper;
     Mixture mixture{{cameraAtOrigin(), 0.0}};
     long frame = 0;

@@ -37,7 +37,7 @@ class MosaicRun
     /** \param later  by how much all poses are found to be elsewhere after the first frame */
     explicit MosaicRun(const MonoSlamOptions& options,
                        const Eigen::Vector3d& later = Eigen::Vector3d::Zero())
-        : later_(later), keeper_(options, smallCamera(), 1)
+        : later_(later), keeper_(options, camera_, 1)
     {
         Vector13d x_v = Vector13d::Zero();
         x_v.head<7>() = poseOf(0);
@@ -60,6 +60,7 @@ class MosaicRun
 
    private:
     Eigen::Vector3d later_;
+    Camera camera_ = smallCamera();
     MapKeeper keeper_;
     Mixture mixture_;
 };

@@ -29,6 +29,7 @@ class MapKeeper
    public:
     /** Keeps a reference to the camera, whose readout may change. */
     MapKeeper(const MonoSlamOptions& options, const Camera& camera, unsigned seed);
+    MapKeeper(const MonoSlamOptions& options, Camera&& camera, unsigned seed) = delete;
 
     /** Known points of the metric target become landmarks that are never removed while they match. */
     [[nodiscard]] Mixture addKnownPoints(Mixture mixture, const MetricPose& target,
