@@ -7,12 +7,13 @@ packages=(
     ca-certificates ccache cmake g++ ninja-build
     libboost-dev libeigen3-dev libtclap-dev nlohmann-json3-dev zlib1g-dev
     libmrpt-bayes-dev libmrpt-config-dev libmrpt-obs-dev libmrpt-opengl-dev
+    libmrpt-slam-dev
     libopencv-calib3d-dev libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
     libopencv-videoio-dev
 )
 for group in "$@"; do
     case $group in
-        tests) packages+=(libbenchmark-dev libgtest-dev python3-venv) ;;
+        tests) packages+=(libbenchmark-dev libgtest-dev mrpt-apps mrpt-common python3-venv) ;;
         checks) packages+=(clang-format clang-tidy git) ;;
         *) echo "$0: unknown group '$group': tests or checks" >&2; exit 2 ;;
     esac

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Arguments.h"
+
+namespace monoslam
+{
+/** The whole program. \return exit status \throw std::exception with one line for people */
+int run(const Arguments& arguments);
+}  // namespace monoslam

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <random>
+
+#include "monoslam_association/AssignmentProblem.h"
+
+namespace monoslam
+{
+/** What an observation may be besides one of the landmarks. */
+struct DetectionModel
+{
+    double p_detection = 0.9;       ///< of a landmark in view
+    double clutter_density = 3e-3;  ///< clutter and new landmarks per unit of z: 1 / (m rad^(O-1))
+};
+
+struct DrawnAssignment
+{
+    AssignmentResult assignment;
+    double logWeight = 0.0;  ///< ln of the product of the normalisers
+};
+
+/** An assignment drawn item by item, in random order, each given the pairs drawn before:
+ *
+ *      l_i = P_D / (1 - P_D) N(nu_i; 0, S_i | drawn),   l_0 = density of clutter and new landmarks
+ *      p_i = l_i / sum,   ln w += ln sum
+ *
+ * The weight is that of the optimal proposal: the normaliser, not the likelihood of what was drawn,
+ * which would count it twice. \see algorithms 7.2, 7.3 */
+[[nodiscard]] DrawnAssignment drawAssignment(const AssignmentProblem& problem,
+                                             const DetectionModel& model, std::mt19937& rng);
+}  // namespace monoslam
