@@ -17,7 +17,7 @@ namespace monoslam
 /** A landmark of the map; z = 0 in the plane. */
 struct MappedLandmark
 {
-    mrpt::math::TPoint3D position;
+    mrpt::math::TPoint3D position{};
     long id = -1;
     std::size_t serial = 0;  ///< unlike its index, the same for ever
 };

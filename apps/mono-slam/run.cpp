@@ -11,6 +11,7 @@
 #include "Progress.h"
 #include "RunOutputs.h"
 #include "monoslam_mrpt/makeEngine.h"
+#include "monoslam_mrpt/registerMrptAssociators.h"
 
 namespace monoslam
 {
@@ -86,6 +87,7 @@ int run(const Arguments& arguments)
     }
     if (arguments.configFile.empty())
         throw std::invalid_argument("no CONFIG.ini is given; see --help");
+    registerMrptAssociators();
     Config config = loadConfig(arguments);
     checkOutputFolder(config.output.directory, arguments.force);
     RawlogReader reader(config.rawlog, config.camera);

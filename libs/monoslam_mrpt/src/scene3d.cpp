@@ -6,6 +6,7 @@
 #include <mrpt/opengl/CGridPlaneXY.h>
 #include <mrpt/opengl/CPointCloud.h>
 #include <mrpt/opengl/CSetOfLines.h>
+#include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/opengl/stock_objects.h>
 #include <mrpt/poses/CPose3D.h>
 
@@ -89,15 +90,12 @@ CEllipsoid3D::Ptr ellipsoidOf(const LandmarkPoint& point, bool known)
 }
 }  // namespace
 
-COpenGLScene::Ptr scene3d(const std::vector<Vector7d>& path, const std::vector<MapLandmark>& map)
+CSetOfObjects::Ptr mapObjects(const std::vector<Vector7d>& path,
+                              const std::vector<MapLandmark>& map)
 {
-    auto scene = COpenGLScene::Create();
+    auto objects = CSetOfObjects::Create();
     const double extent = extentOf(path, map);
-    const auto size = static_cast<float>(2.0 * extent);
-    auto grid = CGridPlaneXY::Create(-size, size, -size, size, 0.0f, size / 10.0f);
-    grid->setColor_u8(0xc0, 0xc0, 0xc0);
-    scene->insert(grid);
-    scene->insert(stock_objects::CornerXYZSimple(static_cast<float>(0.1 * extent), 2.0f));
+    objects->insert(stock_objects::CornerXYZSimple(static_cast<float>(0.1 * extent), 2.0f));
     auto points = CPointCloud::Create();
     points->setPointSize(3.0f);
     points->setColor_u8(0x00, 0x60, 0x10);
@@ -107,12 +105,25 @@ COpenGLScene::Ptr scene3d(const std::vector<Vector7d>& path, const std::vector<M
         if (!point) continue;
         points->insertPoint(static_cast<float>(point->p.x()), static_cast<float>(point->p.y()),
                             static_cast<float>(point->p.z()));
-        scene->insert(ellipsoidOf(*point, landmark.known));
+        objects->insert(ellipsoidOf(*point, landmark.known));
     }
-    scene->insert(points);
+    objects->insert(points);
+    if (path.empty()) return objects;
+    objects->insert(linesOf(path));
+    objects->insert(cameraOf(path.back(), 0.1 * extent));
+    return objects;
+}
+
+COpenGLScene::Ptr scene3d(const std::vector<Vector7d>& path, const std::vector<MapLandmark>& map)
+{
+    auto scene = COpenGLScene::Create();
+    const double extent = extentOf(path, map);
+    const auto size = static_cast<float>(2.0 * extent);
+    auto grid = CGridPlaneXY::Create(-size, size, -size, size, 0.0f, size / 10.0f);
+    grid->setColor_u8(0xc0, 0xc0, 0xc0);
+    scene->insert(grid);
+    for (const auto& object : *mapObjects(path, map)) scene->insert(object);
     if (path.empty()) return scene;
-    scene->insert(linesOf(path));
-    scene->insert(cameraOf(path.back(), 0.1 * extent));
     auto& view = scene->getViewport()->getCamera();
     view.setZoomDistance(static_cast<float>(3.0 * extent));
     view.setPointingAt(path.back()[0], path.back()[1], path.back()[2]);

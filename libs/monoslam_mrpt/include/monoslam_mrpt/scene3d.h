@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CSetOfObjects.h>
 
 #include <string>
 #include <vector>
@@ -11,8 +12,12 @@
 
 namespace monoslam
 {
-/** Camera, path, landmarks and their ellipsoids (3 sigma), for SceneViewer3D.
+/** Camera, path, landmarks and their ellipsoids (3 sigma).
  *  \param path  poses (r_wc, q_wc), the last is the camera's */
+[[nodiscard]] MONOSLAM_MRPT_EXPORT mrpt::opengl::CSetOfObjects::Ptr mapObjects(
+    const std::vector<Vector7d>& path, const std::vector<MapLandmark>& map);
+
+/** These on a grid, for SceneViewer3D. */
 [[nodiscard]] MONOSLAM_MRPT_EXPORT mrpt::opengl::COpenGLScene::Ptr scene3d(
     const std::vector<Vector7d>& path, const std::vector<MapLandmark>& map);
 
