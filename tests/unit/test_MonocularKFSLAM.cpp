@@ -43,7 +43,7 @@ State stateOf(const MonocularKFSLAM& slam)
 class Facade : public testing::Test
 {
    protected:
-    Facade() : rawlog_(folder_.path() + "/example.rawlog")
+    Facade() : rawlog_(folder_ / "example.rawlog")
     {
         writeExampleRawlog(rawlog_, exampleTimes(kFrames), true);
     }
