@@ -3,6 +3,7 @@
 """Path errors of kf-slam-joint on MRPT's sample rawlog, clean and with clutter, as a Markdown table.
 
     apps/experiments/kf-slam/run.py [--seeds N] [--output DIR] [--time-limit SECONDS] [--only METHOD ...]
+                                    [--into libs/docs/mrpt.md]
 
 Needs the Debian packages mrpt-common (rawlog, truth, ini) and mrpt-apps (kf-slam itself), and a build
 with MONOSLAM_BUILD_EXPERIMENTS=ON. Finished runs are kept, so that an interrupted call goes on.
@@ -12,6 +13,8 @@ import concurrent.futures
 import math
 import os
 import re
+import resource
+import signal
 import statistics
 import subprocess
 import sys
@@ -69,16 +72,14 @@ def run(method, clutter, seed, args):
     if not os.path.exists(log):
         settings = [f"RangeBearingKFSLAM.data_assoc_method={association}",
                     "MappingApplication.SAVE_LOG_FREQUENCY=1000", *settings]
-        try:
-            done = call([program("kf-slam-joint"), INI, spoiled(clutter, seed, args), "--output", output,
-                         "--force", "--seed", str(seed), *[w for s in settings for w in ("--set", s)]],
-                        timeout=args.time_limit)
-        except subprocess.TimeoutExpired:
-            done = None
-        if done and done.returncode:
+        done = call([program("kf-slam-joint"), INI, spoiled(clutter, seed, args), "--output", output,
+                     "--force", "--seed", str(seed), *[w for s in settings for w in ("--set", s)]],
+                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (args.time_limit,) * 2))
+        ended = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+        if done.returncode and not ended:
             sys.exit(done.stderr)
         with open(log, "w") as stream:
-            stream.write(done.stdout if done else "")
+            stream.write("" if ended else done.stdout)
     with open(log) as stream:
         text = stream.read()
     if not text:
@@ -125,31 +126,51 @@ HEADER = """| association | path RMSE, median [m] | worst [m] | longest step, me
 |---|---|---|---|---|---|"""
 
 
+def replace_table(page, table):
+    """What stands between the two comments of the page."""
+    begin, end = "<!-- written by apps/experiments/kf-slam/run.py -->\n", "\n<!-- end -->"
+    with open(page) as stream:
+        before, rest = stream.read().split(begin)
+    after = rest.split(end)[1]
+    with open(page, "w") as stream:
+        stream.write(before + begin + table + end + after)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--seeds", type=int, default=10)
     parser.add_argument("--output", default=os.path.join(ROOT, "build", "kf-slam"))
-    parser.add_argument("--time-limit", type=float, default=30.0, help="of a run [s]")
+    parser.add_argument("--time-limit", type=int, default=60, help="CPU time of a run [s]")
     parser.add_argument("--only", nargs="+", choices=METHODS, default=list(METHODS))
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--into", help="also replace the table of this page")
     args = parser.parse_args()
     if not os.path.exists(RAWLOG):
         sys.exit(f"{RAWLOG}: missing; it is in the package mrpt-common")
     os.makedirs(args.output, exist_ok=True)
+    lines = []
+
+    def write(line):
+        lines.append(line)
+        print(line, flush=True)
+
     by_frame, by_row = kf_slam_rmse(args)
-    print(f"kf-slam itself, without clutter: {by_frame:.4f} m ({by_row:.4f} m if its first pose, which is of "
-          "the second frame, is compared with the first row of the truth).")
+    write(f"kf-slam itself, without clutter: {by_frame:.4f} m ({by_row:.4f} m if its first pose, which is of\n"
+          "the second frame, is compared with the first row of the truth). "
+          f"Time limit: {args.time_limit} s of CPU time a run.")
     for clutter in CLUTTER:
         kind, mean = clutter
-        what = f"{mean:g} {kind} false observations a frame" if mean else "No clutter"
-        print(f"\n**{what}**\n\n{HEADER}", flush=True)
+        what = f"{mean:g} {kind} false observation{'s' if mean > 1 else ''} a frame" if mean else "No clutter"
+        write(f"\n**{what}**\n\n{HEADER}")
         for method in args.only:
             seeds = range(1, (args.seeds if mean or method == "MHDA" else 1) + 1)
             for seed in seeds:
                 spoiled(clutter, seed, args)
             with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
                 runs = list(pool.map(lambda seed: run(method, clutter, seed, args), seeds))
-            print(row(method, runs), flush=True)
+            write(row(method, runs))
+    if args.into:
+        replace_table(args.into, "\n".join(lines))
 
 
 if __name__ == "__main__":
