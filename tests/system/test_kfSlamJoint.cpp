@@ -2,6 +2,7 @@
 // kf-slam-joint beside kf-slam, on the samples of the packages mrpt-common and mrpt-apps.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -10,8 +11,7 @@
 
 #include "TemporaryFolder.h"
 #include "copyWithClutter.h"
-#include "exampleRawlog.h"
-#include "runProgram.h"
+#include "kfSlamRuns.h"
 
 namespace monoslam
 {
@@ -27,21 +27,6 @@ constexpr const char* kMissing = "the packages mrpt-common and mrpt-apps are not
 bool samplesAreThere()
 {
     return fs::exists(kIni) && fs::exists(kRawlog) && runShell("command -v kf-slam").status == 0;
-}
-
-ProgramResult joint(const std::string& arguments)
-{
-    return runProgram("kf-slam-joint", arguments);
-}
-
-std::string set(const std::string& setting)
-{
-    return " --set '" + setting + "'";
-}
-
-std::string method(const std::string& name)
-{
-    return set("RangeBearingKFSLAM.data_assoc_method=" + name);
 }
 
 double rmse(const ProgramResult& result)
@@ -90,8 +75,8 @@ Both runBoth(const std::string& ini, const fs::path& rawlog, const TemporaryFold
     writeText(ours, ini);
     const auto kfSlam = runShell("kf-slam '" + theirs + "' '" + rawlog.string() + "'");
     EXPECT_EQ(kfSlam.status, 0) << kfSlam.output;
-    const auto result =
-        joint("'" + ours + "' '" + rawlog.string() + "' --output '" + (folder / "ours") + "'");
+    const auto result = kfSlamJoint("'" + ours + "' '" + rawlog.string() + "' --output '" +
+                                    (folder / "ours") + "'");
     EXPECT_EQ(result.status, 0) << result.output;
     return {(folder / "theirs"), (folder / "ours")};
 }
@@ -161,8 +146,8 @@ TEST(KfSlamJoint, IsNeverWorseThanKfSlamOnItsSample)
     const TemporaryFolder folder;
     const auto run = [&](const std::string& name)
     {
-        return joint("'" + kIni.string() + "' --force --output '" + (folder / "out") + "'" +
-                     set("MappingApplication.SAVE_LOG_FREQUENCY=1000") + method(name));
+        return kfSlamJoint("'" + kIni.string() + "' --force --output '" + (folder / "out") + "'" +
+                           setting("MappingApplication.SAVE_LOG_FREQUENCY=1000") + method(name));
     };
     const double theirs = rmse(run("JCBB_MRPT"));
     for (const char* name : {"NN", "JCBB", "HOHCT", "MHDA", "assocJCBB", "NN_MRPT"})
@@ -178,9 +163,9 @@ TEST(KfSlamJoint, IsBetterThanKfSlamUnderClutter)
     {
         const std::string rawlog = (folder / "echo.rawlog");
         copyWithClutter(kRawlog.string(), rawlog, Clutter::Echo, 0.7, seed);
-        return rmse(joint("'" + kIni.string() + "' '" + rawlog + "' --force --output '" +
-                          (folder / "out") + "'" +
-                          set("MappingApplication.SAVE_LOG_FREQUENCY=1000") + method(name)));
+        return rmse(kfSlamJoint(
+            "'" + kIni.string() + "' '" + rawlog + "' --force --output '" + (folder / "out") + "'" +
+            setting("MappingApplication.SAVE_LOG_FREQUENCY=1000") + method(name)));
     };
     double mrpts = 0.0;
     std::map<std::string, double> ours{{"NN", 0.0}, {"JCBB", 0.0}, {"HOHCT", 0.0}, {"MHDA", 0.0}};
@@ -190,55 +175,5 @@ TEST(KfSlamJoint, IsBetterThanKfSlamUnderClutter)
         for (auto& [name, squares] : ours) squares += std::pow(run(name, seed), 2);
     }
     for (const auto& [name, squares] : ours) EXPECT_LT(squares, mrpts) << name;
-}
-
-TEST(KfSlamJoint, SaysWhatIsWrong)
-{
-    const TemporaryFolder folder;
-    const std::string rawlog = (folder / "images.rawlog"), ini = (folder / "kf.ini");
-    writeExampleRawlog(rawlog, exampleTimes(3), true);
-    const auto messageOf = [&](const std::string& content, const std::string& more = {})
-    {
-        writeText(ini, content);
-        const auto result = joint("'" + ini + "' '" + rawlog + "' --force --output '" +
-                                  (folder / "out") + "'" + more);
-        EXPECT_EQ(result.status, 1) << result.output;
-        return result.output;
-    };
-    const auto has = [](const std::string& text, const std::string& part)
-    {
-        return text.find(part) != std::string::npos ? testing::AssertionSuccess()
-                                                    : testing::AssertionFailure() << text;
-    };
-    EXPECT_TRUE(has(messageOf(""), "no pairs of actions and observations"));
-    EXPECT_TRUE(has(messageOf("[RangeBearing]\na = 1\n"), "[RangeBearing]"));
-    EXPECT_TRUE(
-        has(messageOf("[RangeBearingKFSLAM]\nstd_sensor_range = abc\n"), "std_sensor_range"));
-    EXPECT_TRUE(has(messageOf("[RangeBearingKFSLAM]\ndata_assoc_method = JBCC\n"), "JBCC"));
-    EXPECT_TRUE(has(messageOf("[RangeBearingKFSLAM_MHDA]\nparticles = 0\n"
-                              "[RangeBearingKFSLAM]\ndata_assoc_method = MHDA\n"),
-                    "particles"));
-    EXPECT_TRUE(
-        has(messageOf("[MappingApplication]\nground_truth_file_robot = none.txt\n"), "none.txt"));
-    EXPECT_TRUE(has(messageOf("", set("a=b")), "--set a=b"));
-    writeText(rawlog, "no rawlog");
-    EXPECT_TRUE(has(messageOf(""), "images.rawlog"));
-}
-
-TEST(KfSlamJoint, NeverEmptiesAFolderOfOtherFiles)
-{
-    const TemporaryFolder folder;
-    const std::string rawlog = (folder / "images.rawlog"), mine = (folder / "out/mine.txt");
-    writeExampleRawlog(rawlog, exampleTimes(3), true);
-    writeText(mine, "mine");
-    writeText((folder / "out/robot_pose_00001.txt"), "old");
-    writeText((folder / "kf.ini"), "");
-    const std::string arguments =
-        "'" + (folder / "kf.ini") + "' '" + rawlog + "' --output '" + (folder / "out") + "'";
-    EXPECT_NE(joint(arguments).output.find("--force"), std::string::npos);
-    EXPECT_TRUE(fs::exists((folder / "out/robot_pose_00001.txt")));
-    static_cast<void>(joint(arguments + " --force"));
-    EXPECT_FALSE(fs::exists((folder / "out/robot_pose_00001.txt")));
-    EXPECT_TRUE(fs::exists(mine));
 }
 }  // namespace monoslam

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_mrpt/MonocularKFSLAM.h"
 
-#include <mrpt/config/CConfigFileMemory.h>
-
 #include <stdexcept>
 
+#include "copyIni.h"
 #include "monoslam_association/Associator.h"
 #include "monoslam_mrpt/cameraFrom.h"
 #include "monoslam_mrpt/makeEngine.h"
@@ -23,22 +22,6 @@ using mrpt::math::CVectorDouble;
 using mrpt::math::TPoint3D;
 using mrpt::poses::CPose3DPDFGaussian;
 using mrpt::poses::CPose3DQuatPDFGaussian;
-
-namespace
-{
-CConfigFileMemory copyOf(const CConfigFileBase& ini)
-{
-    CConfigFileMemory copy;
-    std::vector<std::string> sections, keys;
-    ini.getAllSections(sections);
-    for (const auto& section : sections)
-    {
-        ini.getAllKeys(section, keys);
-        for (const auto& key : keys) copy.write(section, key, ini.read_string(section, key, ""));
-    }
-    return copy;
-}
-}  // namespace
 
 /** What loadOptions() read; the file is kept, because a strategy is made anew for each map. */
 struct MonocularKFSLAM::Options

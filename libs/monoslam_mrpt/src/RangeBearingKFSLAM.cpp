@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_mrpt/RangeBearingKFSLAM.h"
 
-#include <mrpt/config/CConfigFileMemory.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "CompatiblePairs.h"
+#include "copyIni.h"
+#include "isInView.h"
 
 namespace monoslam
 {
@@ -14,10 +13,6 @@ using mrpt::obs::CObservationBearingRange;
 
 namespace
 {
-/** Parts of range and field of view outside of which a landmark may well be missed. */
-constexpr double kSureRange = 0.95;
-constexpr double kSureView = 0.9;
-
 bool isMrpts(DataAssociationMethod method)
 {
     return method == assocNN_MRPT || method == assocJCBB_MRPT;
@@ -31,28 +26,11 @@ mrpt::slam::TDataAssociationMethod mrptMethod(DataAssociationMethod method)
 /** An ini whose data_assoc_method MRPT understands. */
 mrpt::config::CConfigFileMemory withMrptMethod(const mrpt::config::CConfigFileBase& ini)
 {
-    mrpt::config::CConfigFileMemory copy;
-    std::vector<std::string> sections, keys;
-    ini.getAllSections(sections);
-    for (const auto& section : sections)
-    {
-        ini.getAllKeys(section, keys);
-        for (const auto& key : keys) copy.write(section, key, ini.read_string(section, key, ""));
-    }
+    auto copy = copyOf(ini);
     copy.write("RangeBearingKFSLAM", "data_assoc_method", "assocNN");
     return copy;
 }
 
-/** Whether the sensor cannot but see what it is predicted to measure: range and angles. */
-template <typename Measurement>
-bool isInView(const CObservationBearingRange& sensor, const Measurement& h)
-{
-    const double halfView_rad[] = {0.5 * sensor.fieldOfView_yaw, 0.5 * sensor.fieldOfView_pitch};
-    bool inside = h[0] < kSureRange * sensor.maxSensorDistance;
-    for (int angle = 1; angle < h.rows(); ++angle)
-        inside = inside && std::abs(h[angle]) < kSureView * halfView_rad[angle - 1];
-    return inside;
-}
 }  // namespace
 
 template <class MrptSlam>
@@ -213,57 +191,6 @@ void JointKFSLAM<MrptSlam>::OnPostIteration()
         else if (inView_[i])
             presence_.missed(i, association.p_detection);
     if (association.remove_missed.value_or(!isMrpts(method()))) removeAbsent();
-}
-
-template <class MrptSlam>
-void JointKFSLAM<MrptSlam>::removeAbsent()
-{
-    const std::vector<std::size_t> absent = presence_.absent();
-    for (const auto& [index, id] : this->m_IDs.getInverseMap())
-        if (static_cast<std::size_t>(id) != index) return;  // the sensor's own IDs are trusted
-    if (absent.empty()) return;
-    const std::size_t n = presence_.count();
-    std::map<std::size_t, std::size_t> newIndex;
-    std::vector<Eigen::Index> kept;
-    for (std::size_t k = 0; k < MrptSlam::get_vehicle_size(); ++k)
-        kept.push_back(static_cast<Eigen::Index>(k));
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        if (std::binary_search(absent.begin(), absent.end(), i)) continue;
-        newIndex.emplace(i, newIndex.size());
-        const std::size_t first = MrptSlam::get_vehicle_size() + i * MrptSlam::get_feature_size();
-        for (std::size_t k = 0; k < MrptSlam::get_feature_size(); ++k)
-            kept.push_back(static_cast<Eigen::Index>(first + k));
-    }
-    const Eigen::VectorXd x = this->m_xkk.asEigen()(kept);
-    const Eigen::MatrixXd P = this->m_pkk.asEigen()(kept, kept);
-    this->m_xkk.resize(kept.size());
-    this->m_xkk.asEigen() = x;
-    this->m_pkk.setSize(P.rows(), P.cols());
-    this->m_pkk.asEigen() = P;
-    presence_.erase(absent);
-    renumber(newIndex);
-    counters_.removed += static_cast<long>(absent.size());
-    before_ = counters_;
-}
-
-/** MRPT's maps of indices, after a removal. */
-template <class MrptSlam>
-void JointKFSLAM<MrptSlam>::renumber(const std::map<std::size_t, std::size_t>& newIndex)
-{
-    this->m_IDs.clear();
-    for (const auto& entry : newIndex)
-        this->m_IDs.insert(static_cast<mrpt::maps::CLandmark::TLandmarkID>(entry.second),
-                           static_cast<unsigned int>(entry.second));
-    auto& last = this->m_last_data_association;
-    for (auto* indices : {&last.results.associations, &last.newly_inserted_landmarks})
-    {
-        std::map<std::size_t, std::size_t> renumbered;
-        for (const auto& [row, landmark] : *indices)
-            if (const auto entry = newIndex.find(landmark); entry != newIndex.end())
-                renumbered[row] = entry->second;
-        *indices = std::move(renumbered);
-    }
 }
 
 template class JointKFSLAM<mrpt::slam::CRangeBearingKFSLAM>;
