@@ -109,10 +109,10 @@ void checkMrptSections(Config& config, const std::string& fileName)
         }
         std::vector<std::string> present;
         config.ini.getAllKeys(name, present);
+        const std::string where = fileName + ": [" + name + "] ";
         for (const auto& key : present)
             if (known.count(key) == 0)
-                config.warnings.push_back(fileName + ": [" + name + "] " + key +
-                                          ": unknown (ignored, as kf-slam does)");
+                config.warnings.push_back(where + key + ": unknown (ignored, as kf-slam does)");
     }
 }
 
@@ -123,14 +123,13 @@ void rejectUnknownSections(const CConfigFileMemory& ini, const std::string& file
                                       "RangeBearingKFSLAM_MHDA"};
     std::vector<std::string> present;
     ini.getAllSections(present);
-    for (const auto& section : present)
-    {
-        if (known.count(section) > 0) continue;
-        std::string list;
-        for (const auto& name : known) list += " " + name;
-        throw std::invalid_argument(fileName + ": unknown section [" + section +
-                                    "]; known:" + list);
-    }
+    const auto unknown =
+        std::find_if(present.begin(), present.end(),
+                     [&](const auto& section) { return known.count(section) == 0; });
+    if (unknown == present.end()) return;
+    std::string message = fileName + ": unknown section [" + *unknown + "]; known:";
+    for (const auto& name : known) message += " " + name;
+    throw std::invalid_argument(message);
 }
 
 void checkInputs(const Config& config)

@@ -87,6 +87,13 @@ def run(method, clutter, seed, args):
     return number("path: RMSE", text), number("the longest", text), number("landmarks:", text)
 
 
+def rows(file):
+    """Numbers of a text matrix of MRPT."""
+    with open(file) as stream:
+        return [[float(w) for w in line.split()] for line in stream
+                if line.strip() and not line.startswith("%")]
+
+
 def kf_slam_rmse(args):
     """RMSE of kf-slam's own robot_pose files, by the frames of the truth and row by row."""
     folder = os.path.join(args.output, "kf-slam")
@@ -100,8 +107,6 @@ def kf_slam_rmse(args):
     if done.returncode:
         sys.exit(done.stdout + done.stderr)
     out = os.path.join(folder, "LOG_EKF-SLAM")
-    rows = lambda file: [[float(w) for w in line.split()] for line in open(file)
-                         if line.strip() and not line.startswith("%")]
     truth = rows(TRUTH)
     poses = [[row[0] for row in rows(os.path.join(out, name))][:3]
              for name in sorted(os.listdir(out)) if name.startswith("robot_pose")]
@@ -128,12 +133,12 @@ HEADER = """| association | path RMSE, median [m] | worst [m] | longest step, me
 
 def replace_table(page, table):
     """What stands between the two comments of the page."""
-    begin, end = "<!-- written by apps/experiments/kf-slam/run.py -->\n", "\n<!-- end -->"
+    begin, end = "<!-- written by apps/experiments/kf-slam/run.py -->\n", "<!-- end -->"
     with open(page) as stream:
         before, rest = stream.read().split(begin)
     after = rest.split(end)[1]
     with open(page, "w") as stream:
-        stream.write(before + begin + table + end + after)
+        stream.write(before + begin + table + "\n" + end + after)
 
 
 def main():

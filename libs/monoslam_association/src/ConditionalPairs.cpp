@@ -77,8 +77,8 @@ bool ConditionalPairs::push(const AssignmentPair& pair)
     const Eigen::LLT<Eigen::MatrixXd> llt(S);
     if (llt.info() != Eigen::Success) return false;
 
-    Eigen::VectorXd e = pair.nu - shift_.row(pairs_).segment(b, O_).transpose();
-    llt.matrixL().solveInPlace(e);
+    const Eigen::VectorXd nu = pair.nu - shift_.row(pairs_).segment(b, O_).transpose();
+    const Eigen::VectorXd e = llt.matrixL().solve(nu);
     auto W = W_.middleRows(k, O_);
     W = problem_.HPHt.middleRows(b, O_);
     if (k > 0) W.noalias() -= W_.block(0, b, k, O_).transpose() * W_.topRows(k);

@@ -45,9 +45,9 @@ class CompatiblePairs
     void test(std::size_t observation, std::size_t prediction, const Eigen::VectorXd& nu,
               const CompatibilityTests& tests);
 
-    AssignmentProblem problem_;
     mrpt::slam::TDataAssociationResults individual_;
     double individualLimit_;
+    AssignmentProblem problem_;
 };
 
 /** \throw std::invalid_argument for the methods that are not a function of the problem */

@@ -79,13 +79,13 @@ AssignmentResult JointKFSLAM<MrptSlam>::choose(const AssignmentProblem& problem,
 
 template <class MrptSlam>
 void JointKFSLAM<MrptSlam>::OnGetObservationsAndDataAssociation(
-    vector_KFArray_OBS& z, std::vector<int>& association_, const vector_KFArray_OBS& predictions,
+    vector_KFArray_OBS& z, std::vector<int>& pairing, const vector_KFArray_OBS& predictions,
     const KFMatrix& S, const std::vector<std::size_t>& landmarks, const KFMatrix_OxO& R)
 {
     // MRPT's own hook reads the observation; its association is kept only if it is asked for.
     const auto theirs = this->options.data_assoc_method;
     this->options.data_assoc_method = mrptMethod(method());
-    MrptSlam::OnGetObservationsAndDataAssociation(z, association_, predictions, S, landmarks, R);
+    MrptSlam::OnGetObservationsAndDataAssociation(z, pairing, predictions, S, landmarks, R);
     this->options.data_assoc_method = theirs;
 
     const auto sensor = this->m_SF->template getObservationByClass<CObservationBearingRange>();
@@ -100,11 +100,11 @@ void JointKFSLAM<MrptSlam>::OnGetObservationsAndDataAssociation(
     for (const KFArray_OBS& h : predictions) inView_.push_back(isInView(*sensor, h));
     if (!isMrpts(method()) && !anonymous.empty() && !landmarks.empty())
     {
-        associate(anonymous, z, predictions, S, association_);
-        if (!association.insert_rejected) dropRejected(anonymous, z, association_);
+        associate(anonymous, z, predictions, S, pairing);
+        if (!association.insert_rejected) dropRejected(anonymous, z, pairing);
     }
     seen_.clear();
-    for (const int landmark : association_)
+    for (const int landmark : pairing)
         if (landmark >= 0) seen_.insert(static_cast<std::size_t>(landmark));
 }
 
@@ -112,11 +112,11 @@ template <class MrptSlam>
 void JointKFSLAM<MrptSlam>::associate(const std::vector<std::size_t>& rows,
                                       const vector_KFArray_OBS& z,
                                       const vector_KFArray_OBS& predictions, const KFMatrix& S,
-                                      std::vector<int>& association_)
+                                      std::vector<int>& pairing)
 {
     auto& last = this->m_last_data_association;
-    for (const std::size_t row : rows) association_[row] = -1;
-    const std::set<int> taken(association_.begin(), association_.end());
+    for (const std::size_t row : rows) pairing[row] = -1;
+    const std::set<int> taken(pairing.begin(), pairing.end());
     const auto& tests = this->options;
     const auto innovation = [&](std::size_t j, std::size_t i) -> Eigen::VectorXd
     {
@@ -137,7 +137,7 @@ void JointKFSLAM<MrptSlam>::associate(const std::vector<std::size_t>& rows,
     last.results = pairs.resultsOf(chosen);
     std::map<std::size_t, std::size_t> byRow;
     for (const auto& [j, i] : last.results.associations) byRow[rows[j]] = last.predictions_IDs[i];
-    for (const auto& [row, landmark] : byRow) association_[row] = static_cast<int>(landmark);
+    for (const auto& [row, landmark] : byRow) pairing[row] = static_cast<int>(landmark);
     last.results.associations = std::move(byRow);
 
     counters_ = before_;
@@ -149,12 +149,12 @@ void JointKFSLAM<MrptSlam>::associate(const std::vector<std::size_t>& rows,
 
 template <class MrptSlam>
 void JointKFSLAM<MrptSlam>::dropRejected(const std::vector<std::size_t>& rows,
-                                         vector_KFArray_OBS& z, std::vector<int>& association_)
+                                         vector_KFArray_OBS& z, std::vector<int>& pairing)
 {
     const auto& counts = this->m_last_data_association.results.indiv_compatibility_counts;
     std::set<std::size_t> rejected;
     for (std::size_t j = 0; j < rows.size(); ++j)
-        if (association_[rows[j]] < 0 && counts[j] > 0) rejected.insert(rows[j]);
+        if (pairing[rows[j]] < 0 && counts[j] > 0) rejected.insert(rows[j]);
     counters_.ignored += static_cast<long>(rejected.size());
     vector_KFArray_OBS keptZ;
     std::vector<int> keptAssociation;
@@ -163,11 +163,11 @@ void JointKFSLAM<MrptSlam>::dropRejected(const std::vector<std::size_t>& rows,
     {
         if (rejected.count(row) > 0) continue;
         keptZ.push_back(z[row]);
-        keptAssociation.push_back(association_[row]);
+        keptAssociation.push_back(pairing[row]);
         rows_.push_back(row);
     }
     z = std::move(keptZ);
-    association_ = std::move(keptAssociation);
+    pairing = std::move(keptAssociation);
 }
 
 template <class MrptSlam>

@@ -39,46 +39,46 @@ void checkInput(const CMatrixDouble& Z, const CMatrixDouble& Y, const CMatrixDou
 void dataAssociationFullCovariance(const CMatrixDouble& Z, const CMatrixDouble& Y,
                                    const CMatrixDouble& Y_cov, TDataAssociationResults& results,
                                    DataAssociationMethod method, TDataAssociationMetric metric,
-                                   double chi2quantile, bool use_kd_tree,
-                                   const std::vector<prediction_index_t>& predictions_IDs,
+                                   double chi2quantile, bool useKdTree,
+                                   const std::vector<prediction_index_t>& predictionsIds,
                                    TDataAssociationMetric compatibilityTestMetric,
-                                   double log_ML_compat_test_threshold)
+                                   double logLikelihoodThreshold)
 {
     checkInput(Z, Y, Y_cov, chi2quantile);
-    require(predictions_IDs.empty() || predictions_IDs.size() == static_cast<std::size_t>(Y.rows()),
-            "predictions_IDs are not as many as predictions");
+    require(predictionsIds.empty() || predictionsIds.size() == static_cast<std::size_t>(Y.rows()),
+            "predictionsIds are not as many as predictions");
     if (method == assocNN_MRPT || method == assocJCBB_MRPT)
         return mrpt::slam::data_association_full_covariance(
             Z, Y, Y_cov, results,
             method == assocNN_MRPT ? mrpt::slam::assocNN : mrpt::slam::assocJCBB, metric,
-            chi2quantile, use_kd_tree, predictions_IDs, compatibilityTestMetric,
-            log_ML_compat_test_threshold);
+            chi2quantile, useKdTree, predictionsIds, compatibilityTestMetric,
+            logLikelihoodThreshold);
 
-    const CompatiblePairs pairs(static_cast<std::size_t>(Z.rows()), Y_cov.asEigen(),
-                                [&](std::size_t j, std::size_t i) -> Eigen::VectorXd
-                                {
-                                    return Z.asEigen().row(static_cast<Eigen::Index>(j)) -
-                                           Y.asEigen().row(static_cast<Eigen::Index>(i));
-                                },
-                                Z.cols(),
-                                {metric, chi2quantile, compatibilityTestMetric,
-                                 log_ML_compat_test_threshold, chi2quantile});
+    const CompatiblePairs pairs(
+        static_cast<std::size_t>(Z.rows()), Y_cov.asEigen(),
+        [&](std::size_t j, std::size_t i) -> Eigen::VectorXd
+        {
+            return Z.asEigen().row(static_cast<Eigen::Index>(j)) -
+                   Y.asEigen().row(static_cast<Eigen::Index>(i));
+        },
+        Z.cols(),
+        {metric, chi2quantile, compatibilityTestMetric, logLikelihoodThreshold, chi2quantile});
     results = pairs.resultsOf(assign(pairs.problem(), method, kDataAssociationNodes));
-    if (predictions_IDs.empty()) return;
+    if (predictionsIds.empty()) return;
     for (auto& association : results.associations)
-        association.second = predictions_IDs[association.second];
+        association.second = predictionsIds[association.second];
 }
 
 void dataAssociationFullCovariance(const CMatrixDouble& Z, const CMatrixDouble& Y,
                                    const CMatrixDouble& Y_cov, TDataAssociationResults& results,
                                    TDataAssociationMethod method, TDataAssociationMetric metric,
-                                   double chi2quantile, bool use_kd_tree,
-                                   const std::vector<prediction_index_t>& predictions_IDs,
+                                   double chi2quantile, bool useKdTree,
+                                   const std::vector<prediction_index_t>& predictionsIds,
                                    TDataAssociationMetric compatibilityTestMetric,
-                                   double log_ML_compat_test_threshold)
+                                   double logLikelihoodThreshold)
 {
     dataAssociationFullCovariance(Z, Y, Y_cov, results, static_cast<DataAssociationMethod>(method),
-                                  metric, chi2quantile, use_kd_tree, predictions_IDs,
-                                  compatibilityTestMetric, log_ML_compat_test_threshold);
+                                  metric, chi2quantile, useKdTree, predictionsIds,
+                                  compatibilityTestMetric, logLikelihoodThreshold);
 }
 }  // namespace monoslam

@@ -81,7 +81,7 @@ class JointKFSLAM : public MrptSlam
     using typename MrptSlam::KFMatrix_OxO;
     using typename MrptSlam::vector_KFArray_OBS;
 
-    void OnGetObservationsAndDataAssociation(vector_KFArray_OBS& z, std::vector<int>& association,
+    void OnGetObservationsAndDataAssociation(vector_KFArray_OBS& z, std::vector<int>& pairing,
                                              const vector_KFArray_OBS& predictions,
                                              const KFMatrix& S,
                                              const std::vector<std::size_t>& landmarks,
@@ -97,9 +97,9 @@ class JointKFSLAM : public MrptSlam
    private:
     void associate(const std::vector<std::size_t>& rows, const vector_KFArray_OBS& z,
                    const vector_KFArray_OBS& predictions, const KFMatrix& S,
-                   std::vector<int>& association);
+                   std::vector<int>& pairing);
     void dropRejected(const std::vector<std::size_t>& rows, vector_KFArray_OBS& z,
-                      std::vector<int>& association);
+                      std::vector<int>& pairing);
     void removeAbsent();
     void renumber(const std::map<std::size_t, std::size_t>& newIndex);
 

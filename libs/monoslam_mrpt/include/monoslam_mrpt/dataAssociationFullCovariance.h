@@ -20,8 +20,8 @@ inline constexpr long kDataAssociationNodes = 20000;
  * nNodesExploredInJCBB counts for both; from kDataAssociationNodes on the answer is not proved.
  * \param Z  M x O, observations; \param Y  N x O, predictions
  * \param Y_cov  NO x NO, joint covariance of z - y, thus H P H' + R
- * \param use_kd_tree  changes nothing: MRPT's loses compatible pairs by it
- * \param predictions_IDs  N names to use instead of the rows of Y, or none
+ * \param useKdTree  changes nothing: MRPT's loses compatible pairs by it
+ * \param predictionsIds  N names to use instead of the rows of Y, or none
  * \throw std::invalid_argument on sizes that disagree, nothing to associate, a quantile outside
  *        (0, 1), numbers that are none, and assocMHDA, which needs several filters */
 MONOSLAM_MRPT_EXPORT void dataAssociationFullCovariance(
@@ -29,10 +29,9 @@ MONOSLAM_MRPT_EXPORT void dataAssociationFullCovariance(
     const mrpt::math::CMatrixDouble& Y_cov, mrpt::slam::TDataAssociationResults& results,
     DataAssociationMethod method = assocJCBB,
     mrpt::slam::TDataAssociationMetric metric = metricMaha, double chi2quantile = 0.99,
-    bool use_kd_tree = true,
-    const std::vector<mrpt::slam::prediction_index_t>& predictions_IDs = {},
+    bool useKdTree = true, const std::vector<mrpt::slam::prediction_index_t>& predictionsIds = {},
     mrpt::slam::TDataAssociationMetric compatibilityTestMetric = metricMaha,
-    double log_ML_compat_test_threshold = 0.0);
+    double logLikelihoodThreshold = 0.0);
 
 /** The same for callers that name the method by MRPT's enumeration: ours of that name. */
 MONOSLAM_MRPT_EXPORT void dataAssociationFullCovariance(
@@ -40,8 +39,7 @@ MONOSLAM_MRPT_EXPORT void dataAssociationFullCovariance(
     const mrpt::math::CMatrixDouble& Y_cov, mrpt::slam::TDataAssociationResults& results,
     mrpt::slam::TDataAssociationMethod method,
     mrpt::slam::TDataAssociationMetric metric = metricMaha, double chi2quantile = 0.99,
-    bool use_kd_tree = true,
-    const std::vector<mrpt::slam::prediction_index_t>& predictions_IDs = {},
+    bool useKdTree = true, const std::vector<mrpt::slam::prediction_index_t>& predictionsIds = {},
     mrpt::slam::TDataAssociationMetric compatibilityTestMetric = metricMaha,
-    double log_ML_compat_test_threshold = 0.0);
+    double logLikelihoodThreshold = 0.0);
 }  // namespace monoslam
