@@ -68,6 +68,9 @@ Correction MonoSlam::Impl::correct(const FrameContext& context)
     FrameView view;
     view.predict = [&](const Belief& belief)
     { return predictMeasurements(belief, camera, visibility); };
+    view.linearize = [&](const Eigen::VectorXd& x, const LandmarkSlot& slot)
+    { return linearizeLandmark(x, slot, camera, visibility); };
+    view.imageArea_px2 = 1.0 * camera.parameters().width_px * camera.parameters().height_px;
     view.search = [&](const SearchRegion& region) { return finder.search(region); };
     view.engine = engine;
     return associator->correct(std::move(mixture), view, rng);

@@ -34,10 +34,11 @@ struct Candidate
 struct SearchRegion
 {
     LandmarkId id = -1;
-    Eigen::Vector2d centre;  ///< [px]
-    Eigen::Matrix2d S;       ///< [px^2]
-    double gate = 5.9915;    ///< chi2(2, P_search)
-    int maxCandidates = 1;   ///< best scores first
+    Eigen::Vector2d centre;          ///< [px]
+    Eigen::Matrix2d S;               ///< [px^2]
+    double gate = 5.9915;            ///< chi2(2, P_search)
+    int maxCandidates = 1;           ///< best scores first
+    std::optional<double> minScore;  ///< instead of the search's own
 };
 
 enum class SearchStatus
@@ -54,12 +55,17 @@ struct SearchResult
     long pixels = 0;  ///< positions correlated
 };
 
-/** All that a strategy may ask of a frame; tests fill it with two lambdas. */
+/** All that a strategy may ask of a frame; tests fill it with three lambdas. A strategy with several
+ *  threads calls them from all of them at once. */
 struct FrameView
 {
     std::function<Prediction(const Belief&)> predict;
+    /** h, H and R at a mean x, S unset; nothing if the landmark is not visible from there. */
+    std::function<std::optional<PredictedLandmark>(const Eigen::VectorXd& x, const LandmarkSlot&)>
+        linearize;
     std::function<SearchResult(const SearchRegion&)> search;
     FilterEngine engine;
+    double imageArea_px2 = 640.0 * 480.0;  ///< over which wrong candidates are spread
 };
 
 /** What became of one visible landmark in one frame. */
