@@ -19,6 +19,7 @@ Registry builtIns()
     return {{"none", makeUnvalidated},
             {"appearance_nn", makeAppearanceNN},
             {"spatial_nn", makeSpatialNN},
+            {"one_point_ransac", makeOnePointRansac},
             {"jcbb", makeJcbb},
             {"hohct", makeHohct}};
 }

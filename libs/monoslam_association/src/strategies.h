@@ -17,6 +17,7 @@ using IniFile = mrpt::config::CConfigFileBase;
 std::unique_ptr<Associator> makeUnvalidated(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeAppearanceNN(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeSpatialNN(const IniFile& file, const std::string& fileName);
+std::unique_ptr<Associator> makeOnePointRansac(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeJcbb(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeHohct(const IniFile& file, const std::string& fileName);
 }  // namespace monoslam
