@@ -119,6 +119,10 @@ Config loadConfig(const Arguments& arguments)
     config.output = OutputOptions::from(section("output"));
     config.slam = MonoSlamOptions::from(file, config.fileName);
     config.associator = readAssociator(file, config.fileName);
+    if (config.slam.engine == EngineName::Mrpt && !config.associator->updatesByEngine())
+        throw std::invalid_argument(
+            config.fileName + ": [filter] engine = mrpt: not with [association] strategy = " +
+            section("association").get("strategy", "") + ", which corrects pixel by pixel itself");
     completeRawlogPath(config, arguments);
     if (!arguments.output.empty()) config.output.directory = arguments.output;
     config.output.pictures = config.output.pictures || arguments.pictures;

@@ -20,6 +20,7 @@ Registry builtIns()
             {"appearance_nn", makeAppearanceNN},
             {"spatial_nn", makeSpatialNN},
             {"one_point_ransac", makeOnePointRansac},
+            {"active_search", makeActiveSearch},
             {"jcbb", makeJcbb},
             {"hohct", makeHohct}};
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "monoslam_association/Diversity.h"
 #include "monoslam_association/export.h"
 #include "monoslam_filter/Belief.h"
 #include "monoslam_filter/FilterEngine.h"
@@ -102,17 +103,25 @@ struct AssociationCounters
     long d2Evaluations = 0;
     long faults = 0;  ///< indefinite S met in the update
     bool provedOptimal = true;
-    double jointD2 = 0.0;   ///< of the accepted set
-    double searchMs = 0.0;  ///< thread CPU time of image search
-    double selectMs = 0.0;  ///< of association proper
-    double updateMs = 0.0;  ///< of predicted measurements and filter update
+    double jointD2 = 0.0;         ///< of the accepted set
+    double searchMs = 0.0;        ///< thread CPU time of image search
+    double selectMs = 0.0;        ///< of association proper
+    double updateMs = 0.0;        ///< of predicted measurements and filter update
+    double otherThreadsMs = 0.0;  ///< of the three above, not spent in the calling thread
 };
 
+/** Images, pixels, nodes, faults and times are summed over all beliefs of the mixture; pairs and
+ *  rejected are those of the belief of largest weight. */
 struct Correction
 {
     Mixture mixture;
     std::vector<Association> associations;  ///< of the belief of largest weight
     AssociationCounters counters;
+    /** Associations of each belief, and the index of the predicted belief that it comes from; both
+     *  empty if the mixture is one belief before and after. */
+    std::vector<std::vector<Association>> ofEveryBelief = {};
+    std::vector<std::size_t> parents = {};
+    Diversity diversity = {};
 };
 
 /** The columns of the second paper's Table 1. */
@@ -132,6 +141,8 @@ class MONOSLAM_ASSOCIATION_EXPORT Associator
    public:
     virtual ~Associator() = default;
     [[nodiscard]] virtual AssociatorTraits traits() const = 0;
+    /** False if it corrects pixel by pixel itself, without FrameView::engine. */
+    [[nodiscard]] virtual bool updatesByEngine() const { return true; }
     [[nodiscard]] virtual Correction correct(Mixture predicted, const FrameView& view,
                                              std::mt19937& rng) const = 0;
 };
