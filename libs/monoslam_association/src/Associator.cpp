@@ -21,6 +21,7 @@ Registry builtIns()
             {"spatial_nn", makeSpatialNN},
             {"one_point_ransac", makeOnePointRansac},
             {"active_search", makeActiveSearch},
+            {"mhda", makeMhda},
             {"jcbb", makeJcbb},
             {"hohct", makeHohct}};
 }

@@ -19,6 +19,7 @@ std::unique_ptr<Associator> makeAppearanceNN(const IniFile& file, const std::str
 std::unique_ptr<Associator> makeSpatialNN(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeOnePointRansac(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeActiveSearch(const IniFile& file, const std::string& fileName);
+std::unique_ptr<Associator> makeMhda(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeJcbb(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeHohct(const IniFile& file, const std::string& fileName);
 }  // namespace monoslam

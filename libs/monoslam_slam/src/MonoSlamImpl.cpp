@@ -85,32 +85,36 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
 
     Correction correction = correct(context);
     mixture = std::move(correction.mixture);
-    report.associations = std::move(correction.associations);
     report.counters = correction.counters;
+    report.diversity = correction.diversity;
     report.times.search_ms = report.counters.searchMs;
     report.times.associate_ms = report.counters.selectMs;
-    report.times.update_ms = clock.lap_ms() - report.counters.searchMs - report.counters.selectMs;
+    report.times.update_ms = clock.lap_ms() + report.counters.otherThreadsMs -
+                             report.counters.searchMs - report.counters.selectMs;
     const Belief& belief = best(mixture);
     if (options.search.subpixel)
-        noise.adapt(settledResiduals(belief, camera, report.associations, keeper.records()));
-    report.residualRms_px = residualRms_px(belief, camera, report.associations);
-    for (const auto& association : report.associations)
+        noise.adapt(settledResiduals(belief, camera, correction.associations, keeper.records()));
+    report.residualRms_px = residualRms_px(belief, camera, correction.associations);
+    for (const auto& association : correction.associations)
         if (association.fate == Fate::Matched) ++report.matched;
-    mixture = keeper.revise(std::move(mixture), report.associations, context);
+    mixture = keeper.revise(std::move(mixture), correction, context);
+    report.associations = std::move(correction.associations);
 }
 
-/** Re-estimates the first seconds, where a wrong linearisation would stay for ever. */
+/** Re-estimates the first seconds, where a wrong linearisation would stay for ever. Of several
+ *  beliefs the one of largest weight is recorded and re-estimated, and the mixture is then that one:
+ *  what the others would have linearised differently is what the estimate repairs. */
 void MonoSlam::Impl::refineStart(const FrameContext& context, const FrameReport& report)
 {
-    if (!window || !window->open() || mixture.size() != 1) return;
-    Belief& belief = mixture.front().belief;
+    if (!window || !window->open() || mixture.empty()) return;
+    const Belief& belief = best(mixture);
     window->record(report.t_s, context.index, belief, report.associations, keeper.records(),
                    birthSigma_px());
     auto refined = window->refine(belief, keeper.records(), options.motion);
     if (refined)
     {
-        belief = std::move(*refined);
-        keeper.keepOnly(belief);
+        mixture = {{std::move(*refined), 0.0}};
+        keeper.keepOnly(best(mixture));
     }
     keeper.setStarting(window->open());
 }
