@@ -22,6 +22,9 @@ Registry builtIns()
             {"one_point_ransac", makeOnePointRansac},
             {"active_search", makeActiveSearch},
             {"mhda", makeMhda},
+            {"active_matching", makeActiveMatching},
+            {"clam", makeClam},
+            {"subam", makeSubam},
             {"jcbb", makeJcbb},
             {"hohct", makeHohct}};
 }

@@ -20,6 +20,9 @@ std::unique_ptr<Associator> makeSpatialNN(const IniFile& file, const std::string
 std::unique_ptr<Associator> makeOnePointRansac(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeActiveSearch(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeMhda(const IniFile& file, const std::string& fileName);
+std::unique_ptr<Associator> makeActiveMatching(const IniFile& file, const std::string& fileName);
+std::unique_ptr<Associator> makeClam(const IniFile& file, const std::string& fileName);
+std::unique_ptr<Associator> makeSubam(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeJcbb(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeHohct(const IniFile& file, const std::string& fileName);
 }  // namespace monoslam
