@@ -25,6 +25,8 @@ Registry builtIns()
             {"active_matching", makeActiveMatching},
             {"clam", makeClam},
             {"subam", makeSubam},
+            {"ccda", makeCcda},
+            {"cost_assignment", makeCostAssignment},
             {"jcbb", makeJcbb},
             {"hohct", makeHohct}};
 }

@@ -23,6 +23,8 @@ std::unique_ptr<Associator> makeMhda(const IniFile& file, const std::string& fil
 std::unique_ptr<Associator> makeActiveMatching(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeClam(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeSubam(const IniFile& file, const std::string& fileName);
+std::unique_ptr<Associator> makeCcda(const IniFile& file, const std::string& fileName);
+std::unique_ptr<Associator> makeCostAssignment(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeJcbb(const IniFile& file, const std::string& fileName);
 std::unique_ptr<Associator> makeHohct(const IniFile& file, const std::string& fileName);
 }  // namespace monoslam
