@@ -143,4 +143,14 @@ inline LinearWorld LinearWorld::reversed() const
     }
     return other;
 }
+
+/** Two landmarks of two candidates each, all of which may be right. */
+inline LinearWorld ambiguousWorld(unsigned seed)
+{
+    LinearWorld world = LinearWorld::withLandmarks(2, seed);
+    for (auto& [id, candidates] : world.seen)
+        candidates.push_back(
+            {candidates.front().z + Eigen::Vector2d(6.0, -5.0 + 2.0 * id), 0.85, 0.5 * world.R()});
+    return world;
+}
 }  // namespace monoslam::test

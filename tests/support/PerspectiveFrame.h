@@ -21,6 +21,7 @@ struct PerspectiveFrameOptions
     double sigma_px = 0.5;
     double wrongShare = 0.0;  ///< of the landmarks whose only candidate is wrong
     int clutter = 0;          ///< wrong candidates beside the right one, anywhere in the ellipse
+    bool settled = false;     ///< well-known landmarks, a motion that turns more than it moves
 };
 
 /** A belief, a truth drawn from it, and what a camera there sees of its landmarks. Wrong candidates
@@ -39,6 +40,7 @@ struct PerspectiveFrame
         std::mt19937 rng(seed);
         visibility.sigma_px = options.sigma_px;
         belief = randomBelief(rng, camera, {options.inverseDepths, options.points, options.clone});
+        if (options.settled) settle();
         truth = drawState(rng);
         const Prediction prediction = predictMeasurements(belief, camera, visibility);
         std::size_t left = prediction.rows.size();
@@ -84,6 +86,14 @@ struct PerspectiveFrame
     }
 
    private:
+    /** Standard deviations of the landmarks and the position are a tenth, of the orientation 0.3. */
+    void settle()
+    {
+        Eigen::VectorXd scale = Eigen::VectorXd::Constant(belief.size(), 0.1);
+        scale.segment<4>(camera_state::kOrientation).setConstant(0.3);
+        belief.P = (scale.asDiagonal() * belief.P * scale.asDiagonal()).eval();
+    }
+
     Eigen::VectorXd drawState(std::mt19937& rng) const
     {
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(belief.P);

@@ -53,14 +53,14 @@ class Split : public Associator
     mutable int frames_ = 0;
 };
 
-struct Run
+struct SplitRun
 {
     MonoSlam slam;
     FrameReport report;
     cv::Mat image;
     long frame = 0;
 
-    explicit Run(int heir, InitializationMethod method = InitializationMethod::Undelayed)
+    explicit SplitRun(int heir, InitializationMethod method = InitializationMethod::Undelayed)
         : slam(options(method), Camera(cameraParameters(DistortionModel::None, {})),
                std::make_unique<Split>(heir), 1),
           image(renderImage(
@@ -91,7 +91,7 @@ std::set<LandmarkId> idsOf(const Belief& belief)
 
 TEST(SeveralBeliefs, EachDeletesByItsOwnRecord)
 {
-    Run run(1000);
+    SplitRun run(1000);
     run.step(4);
     ASSERT_EQ(run.slam.mixture().size(), 2);
     const auto before = idsOf(run.slam.mixture()[0].belief);
@@ -113,7 +113,7 @@ TEST(SeveralBeliefs, EachDeletesByItsOwnRecord)
 
 TEST(SeveralBeliefs, ChildrenInheritTheRecordOfTheirParent)
 {
-    Run run(9);
+    SplitRun run(9);
     run.step(8);
     EXPECT_EQ(idsOf(run.slam.mixture()[0].belief).count(0), 1);
     run.step(2);  // both descend from the second now, and so does the map
@@ -131,7 +131,7 @@ TEST(SeveralBeliefs, GetTheSameNewLandmarks)
 {
     for (const auto method : {InitializationMethod::Undelayed, InitializationMethod::Delayed})
     {
-        Run run(3, method);
+        SplitRun run(3, method);
         run.step(8);
         ASSERT_EQ(run.slam.mixture().size(), 2);
         std::set<CloneId> first, second;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -34,8 +35,9 @@ LinearWorld worldOfTwoCandidates(double scoreOfRight, double scoreOfWrong)
     for (auto& [id, candidates] : world.seen)
     {
         candidates.front().score = scoreOfRight;
-        candidates.push_back(
-            {candidates.front().z + Eigen::Vector2d(9.0, 9.0), scoreOfWrong, world.R()});
+        const double angle = 2.4 * static_cast<double>(id);
+        const Eigen::Vector2d off = 5.0 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        candidates.push_back({candidates.front().z + off, scoreOfWrong, world.R()});
         if (scoreOfWrong > scoreOfRight) std::swap(candidates[0], candidates[1]);
     }
     return world;

@@ -66,7 +66,7 @@ class ActiveSearch : public Associator
 {
    public:
     ActiveSearch(const BatchOptions& batch, const ActiveSearchOptions& options)
-        : max_measured_(batch.max_measured),
+        : maxMeasured_(batch.max_measured),
           gate_(chi2Limit(2, batch.gate_probability)),
           options_(options)
     {
@@ -87,13 +87,13 @@ class ActiveSearch : public Associator
         Belief& belief = onlyBelief(predicted);
         GreedyRule rule(options_, gate_);
         SequentialOutcome outcome =
-            measureOneByOne(std::move(belief), view, {gate_, 1, max_measured_, {}}, rule);
+            measureOneByOne(std::move(belief), view, {gate_, 1, maxMeasured_, {}}, rule);
         belief = std::move(outcome.belief);
         return {std::move(predicted), std::move(outcome.associations), outcome.counters};
     }
 
    private:
-    int max_measured_;
+    int maxMeasured_;
     double gate_;
     ActiveSearchOptions options_;
 };

@@ -23,7 +23,7 @@ class Ccda : public BatchAssociator
         single_ = chi2Limit(2, tau);
         pair_ = chi2Limit(4, tau);
         maxCandidates_ = section.get("max_candidates", maxCandidates_, {1.0, 100.0});
-        node_cap_ = section.get("node_cap", node_cap_, {1.0, 1e9});
+        nodeCap_ = section.get("node_cap", nodeCap_, {1.0, 1e9});
         section.rejectUnknownKeys();
     }
 
@@ -91,7 +91,7 @@ class Ccda : public BatchAssociator
             }
             d2.pop();
         }
-        const CliqueResult clique = maximumClique(adjacent, node_cap_);
+        const CliqueResult clique = maximumClique(adjacent, nodeCap_);
         counters.nodes += clique.nodes;
         counters.jointSearches += 1;
         counters.provedOptimal = counters.provedOptimal && clique.proved;
@@ -104,7 +104,7 @@ class Ccda : public BatchAssociator
     double single_;
     double pair_;
     int maxCandidates_ = 3;
-    int node_cap_ = 20000;
+    int nodeCap_ = 20000;
 };
 }  // namespace
 

@@ -62,7 +62,7 @@ class Mhda : public Associator
 {
    public:
     Mhda(const BatchOptions& batch, const MhdaOptions& options)
-        : max_measured_(batch.max_measured),
+        : maxMeasured_(batch.max_measured),
           gate_(chi2Limit(2, options.likelihood.p_search)),
           options_(options)
     {
@@ -111,7 +111,7 @@ class Mhda : public Associator
    private:
     [[nodiscard]] SequentialSettings settings() const
     {
-        return {gate_, options_.likelihood.max_candidates, max_measured_,
+        return {gate_, options_.likelihood.max_candidates, maxMeasured_,
                 options_.likelihood.min_zncc};
     }
 
@@ -153,7 +153,7 @@ class Mhda : public Associator
         correction.associations = correction.ofEveryBelief[heaviest];
     }
 
-    int max_measured_;
+    int maxMeasured_;
     double gate_;
     MhdaOptions options_;
 };

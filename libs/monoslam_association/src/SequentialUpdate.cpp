@@ -84,15 +84,15 @@ SequentialUpdate::Columns2 SequentialUpdate::covarianceWith(const OpenLandmark& 
     const PredictedLandmark& row = landmark.row;
     Eigen::Matrix<double, kSize, 2> Hvt = row.H_v.transpose();
     const auto Hyt = row.H_y.leftCols(row.size).transpose();
-    Eigen::Matrix<double, Eigen::Dynamic, 2> WtHt =
+    Eigen::Matrix<double, Eigen::Dynamic, 2> projected =
         W_.topLeftCorner(kSize, used_).transpose() * Hvt;
-    WtHt.noalias() += W_.block(row.offset, 0, row.size, used_).transpose() * Hyt;
+    projected.noalias() += W_.block(row.offset, 0, row.size, used_).transpose() * Hyt;
 
     Hvt.middleRows<4>(kOrientation) = A_q_.transpose() * Hvt.middleRows<4>(kOrientation).eval();
     Columns2 PHt = belief_.P.leftCols<kSize>() * Hvt;
     PHt.noalias() += belief_.P.middleCols(row.offset, row.size) * Hyt;
     PHt.middleRows<4>(kOrientation) = A_q_ * PHt.middleRows<4>(kOrientation).eval();
-    PHt.noalias() -= W_.leftCols(used_) * WtHt;
+    PHt.noalias() -= W_.leftCols(used_) * projected;
     return PHt;
 }
 

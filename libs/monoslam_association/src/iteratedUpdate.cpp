@@ -14,11 +14,11 @@ constexpr double kLinearEnough_px = 5.0;
 }  // namespace
 
 Belief iteratedUpdate(const LinearizedPrior& from, const std::vector<PixelMeasurement>& pixels,
-                      const FrameView& view, int max_iterations, int& faults)
+                      const FrameView& view, int maxIterations, int& faults)
 {
     Belief posterior = view.engine.update(from.prior, from.prediction, pixels, &faults);
     Eigen::VectorXd linearizedAt = from.at.size() > 0 ? from.at : from.prior.x;
-    for (int iteration = 2; iteration < max_iterations; ++iteration)
+    for (int iteration = 2; iteration < maxIterations; ++iteration)
     {
         const Eigen::VectorXd step = posterior.x - linearizedAt;
         if (largestShift_px(from.prediction, pixels, step) < kLinearEnough_px) break;

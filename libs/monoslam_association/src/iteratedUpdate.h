@@ -17,10 +17,10 @@ struct LinearizedPrior
 };
 
 /** EKF update, iterated while the projection bends between prior and posterior, at most
- *  \p max_iterations linearisations in all. \throw std::runtime_error if S stays indefinite */
+ *  \p maxIterations linearisations in all. \throw std::runtime_error if S stays indefinite */
 [[nodiscard]] Belief iteratedUpdate(const LinearizedPrior& from,
                                     const std::vector<PixelMeasurement>& pixels,
-                                    const FrameView& view, int max_iterations, int& faults);
+                                    const FrameView& view, int maxIterations, int& faults);
 
 /** Whether an update can factorise S, after the one inflation that it tries.
  *  \param d2  joint nu' S^-1 nu, if it can */

@@ -34,47 +34,64 @@ class Hungarian
    private:
     static constexpr Eigen::Index kNone = -1;
 
+    /** The paths from one row that Dijkstra's search has found so far. */
+    struct Paths
+    {
+        Eigen::VectorXd distance;        ///< to every column
+        std::vector<Eigen::Index> from;  ///< column before it
+        std::vector<bool> isDone;
+        std::vector<Eigen::Index> done;
+        double reached = 0.0;
+
+        explicit Paths(Eigen::Index columns)
+            : distance(Eigen::VectorXd::Constant(columns, std::numeric_limits<double>::infinity())),
+              from(static_cast<std::size_t>(columns), kNone),
+              isDone(static_cast<std::size_t>(columns), false)
+        {
+        }
+    };
+
+    /** Through a row, which is reached by \p column: the nearest column not done. */
+    [[nodiscard]] Eigen::Index extend(Paths& paths, Eigen::Index row, Eigen::Index column) const
+    {
+        Eigen::Index nearest = kNone;
+        for (Eigen::Index j = 0; j < cost_.cols(); ++j)
+        {
+            if (paths.isDone[static_cast<std::size_t>(j)]) continue;
+            const double through = paths.reached + cost_(row, j) - u_(row) - v_(j);
+            if (through < paths.distance(j))
+            {
+                paths.distance(j) = through;
+                paths.from[static_cast<std::size_t>(j)] = column;
+            }
+            if (nearest == kNone || paths.distance(j) < paths.distance(nearest)) nearest = j;
+        }
+        return nearest;
+    }
+
     void augment(Eigen::Index start)
     {
-        const Eigen::Index columns = cost_.cols();
-        Eigen::VectorXd distance =
-            Eigen::VectorXd::Constant(columns, std::numeric_limits<double>::infinity());
-        std::vector<Eigen::Index> from(static_cast<std::size_t>(columns), kNone);
-        std::vector<Eigen::Index> done;
-        std::vector<bool> isDone(static_cast<std::size_t>(columns), false);
+        Paths paths(cost_.cols());
         Eigen::Index row = start;
         Eigen::Index column = kNone;
-        double reached = 0.0;
         while (row != kNone)
         {
-            Eigen::Index nearest = kNone;
-            for (Eigen::Index j = 0; j < columns; ++j)
-            {
-                if (isDone[static_cast<std::size_t>(j)]) continue;
-                const double through = reached + cost_(row, j) - u_(row) - v_(j);
-                if (through < distance(j))
-                {
-                    distance(j) = through;
-                    from[static_cast<std::size_t>(j)] = column;
-                }
-                if (nearest == kNone || distance(j) < distance(nearest)) nearest = j;
-            }
-            reached = distance(nearest);
-            column = nearest;
-            isDone[static_cast<std::size_t>(column)] = true;
-            done.push_back(column);
+            column = extend(paths, row, column);
+            paths.reached = paths.distance(column);
+            paths.isDone[static_cast<std::size_t>(column)] = true;
+            paths.done.push_back(column);
             row = rowOf_[static_cast<std::size_t>(column)];
         }
-        u_(start) += reached;
-        for (const Eigen::Index j : done)
+        u_(start) += paths.reached;
+        for (const Eigen::Index j : paths.done)
         {
             const Eigen::Index owner = rowOf_[static_cast<std::size_t>(j)];
-            if (owner != kNone) u_(owner) += reached - distance(j);
-            v_(j) -= reached - distance(j);
+            if (owner != kNone) u_(owner) += paths.reached - paths.distance(j);
+            v_(j) -= paths.reached - paths.distance(j);
         }
         while (column != kNone)
         {
-            const Eigen::Index before = from[static_cast<std::size_t>(column)];
+            const Eigen::Index before = paths.from[static_cast<std::size_t>(column)];
             rowOf_[static_cast<std::size_t>(column)] =
                 before == kNone ? start : rowOf_[static_cast<std::size_t>(before)];
             column = before;

@@ -41,8 +41,10 @@ struct MatchingFrame
  *      Mc = lam_k P_D 1/2 log2(|S_f^k| / |R|)
  *      Md = H(lam) - p_1 H(lam_j P_D q_j / p_1) - (1 - p_1) H(lam_j (1 - P_D q_j) / (1 - p_1))
  *
- * Every Gaussian with q_j > prune splits: given each pixel found, with weight lam_j P_D N / beta,
- * and given none, with lam_j (1 - P_D q_j). Light ones are dropped.
+ * Every Gaussian that the ellipse holds more than half of splits: given each pixel found, with weight
+ * lam_j P_D N / beta, and given none, with lam_j (1 - P_D q_j); the row is then measured in it. The
+ * others wait for an ellipse of their own, so that each is weighed once by every row. Light ones are
+ * dropped.
  * \return the pixels of the heaviest Gaussian
  * \see Chli, Davison, "Active matching for visual tracking", Robotics and Autonomous Systems 2009 */
 [[nodiscard]] std::vector<PixelMeasurement> matchActively(std::unique_ptr<PixelGaussian> prior,

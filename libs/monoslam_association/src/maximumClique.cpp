@@ -12,8 +12,8 @@ using Vertices = std::vector<std::size_t>;
 class BronKerbosch
 {
    public:
-    BronKerbosch(const std::vector<std::vector<bool>>& adjacent, long node_cap)
-        : adjacent_(adjacent), node_cap_(node_cap)
+    BronKerbosch(const std::vector<std::vector<bool>>& adjacent, long nodeCap)
+        : adjacent_(adjacent), nodeCap_(nodeCap)
     {
     }
 
@@ -67,7 +67,7 @@ class BronKerbosch
 
     void extend(Vertices& clique, Vertices candidates, Vertices excluded)
     {
-        if (result_.nodes >= node_cap_)
+        if (result_.nodes >= nodeCap_)
         {
             result_.proved = false;
             return;
@@ -93,13 +93,13 @@ class BronKerbosch
     }
 
     const std::vector<std::vector<bool>>& adjacent_;
-    long node_cap_;
+    long nodeCap_;
     CliqueResult result_;
 };
 }  // namespace
 
-CliqueResult maximumClique(const std::vector<std::vector<bool>>& adjacent, long node_cap)
+CliqueResult maximumClique(const std::vector<std::vector<bool>>& adjacent, long nodeCap)
 {
-    return BronKerbosch(adjacent, node_cap).run();
+    return BronKerbosch(adjacent, nodeCap).run();
 }
 }  // namespace monoslam

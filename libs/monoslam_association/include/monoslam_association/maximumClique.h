@@ -17,8 +17,8 @@ struct CliqueResult
 /** Largest set of vertices that are all adjacent: Bron-Kerbosch with pivoting, cut where even all
  *  vertices left would not beat the best. Among equals the first found in vertex order.
  *  \param adjacent  symmetric; the diagonal does not count
- *  \param node_cap  then the best so far, which begins with a greedy one
+ *  \param nodeCap  then the best so far, which begins with a greedy one
  *  \see Bron, Kerbosch, "Algorithm 457", CACM 1973 */
 [[nodiscard]] MONOSLAM_ASSOCIATION_EXPORT CliqueResult
-maximumClique(const std::vector<std::vector<bool>>& adjacent, long node_cap);
+maximumClique(const std::vector<std::vector<bool>>& adjacent, long nodeCap);
 }  // namespace monoslam
