@@ -86,11 +86,12 @@ struct PerspectiveFrame
     }
 
    private:
-    /** Standard deviations of the landmarks and the position are a tenth, of the orientation 0.3. */
+    /** Standard deviations of landmarks and position are a tenth, of the orientation 0.15: a frame of a
+     *  camera at 30 fps. */
     void settle()
     {
         Eigen::VectorXd scale = Eigen::VectorXd::Constant(belief.size(), 0.1);
-        scale.segment<4>(camera_state::kOrientation).setConstant(0.3);
+        scale.segment<4>(camera_state::kOrientation).setConstant(0.15);
         belief.P = (scale.asDiagonal() * belief.P * scale.asDiagonal()).eval();
     }
 
