@@ -28,6 +28,8 @@ Arguments parseArguments(int argc, char** argv)
     Text robotPath("", "robot-path", "Also write the vehicle's path (TUM)", false, "", "FILE", cmd);
     Text defaults("", "write-default-config", "Write the default options and end", false, "",
                   "FILE", cmd);
+    TCLAP::SwitchArg strategies("", "list-strategies", "Print what each strategy uses, and end",
+                                cmd);
     cmd.parse(argc, argv);
 
     Arguments a;
@@ -40,6 +42,7 @@ Arguments parseArguments(int argc, char** argv)
     a.settings = set.getValue();
     a.robotPath = robotPath.getValue();
     a.defaultConfigFile = defaults.getValue();
+    a.listStrategies = strategies.getValue();
     a.seed = seed.getValue();
     a.force = force.getValue();
     a.dryRun = dryRun.getValue();

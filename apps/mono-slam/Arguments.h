@@ -15,6 +15,7 @@ struct Arguments
     std::vector<std::string> settings;  ///< "section.key=value"
     std::string robotPath;
     std::string defaultConfigFile;  ///< to be written, then nothing else is done
+    bool listStrategies = false;    ///< nothing else is done
     unsigned seed = 1;
     bool force = false;
     bool dryRun = false;

@@ -120,6 +120,10 @@ Config loadConfig(const Arguments& arguments)
     config.slam = MonoSlamOptions::from(file, config.fileName);
     config.slam.estimateReadout = config.camera.estimateReadout;
     config.associator = readAssociator(file, config.fileName);
+    if (config.slam.engine == EngineName::Mrpt && !config.associator->updatesByEngine())
+        throw std::invalid_argument(
+            config.fileName + ": [filter] engine = mrpt: not with [association] strategy = " +
+            section("association").get("strategy", "") + ", which corrects pixel by pixel itself");
     completeRawlogPath(config, arguments);
     if (!arguments.output.empty()) config.output.directory = arguments.output;
     config.output.pictures = config.output.pictures || arguments.pictures;

@@ -10,6 +10,7 @@
 #include "Config.h"
 #include "Progress.h"
 #include "RunOutputs.h"
+#include "monoslam_association/strategyTable.h"
 #include "monoslam_mrpt/makeEngine.h"
 #include "monoslam_mrpt/registerMrptAssociators.h"
 
@@ -83,6 +84,11 @@ int run(const Arguments& arguments)
     if (!arguments.defaultConfigFile.empty())
     {
         writeDefaultConfig(arguments);
+        return 0;
+    }
+    if (arguments.listStrategies)
+    {
+        std::printf("%s", strategyTable().c_str());
         return 0;
     }
     if (arguments.configFile.empty())

@@ -25,11 +25,15 @@ struct LinearWorld
     static LinearWorld withLandmarks(int count, unsigned seed, double sigma_px = 0.5);
 
     [[nodiscard]] Prediction predict(const Belief& at) const;
+    [[nodiscard]] PredictedLandmark linearize(const Eigen::VectorXd& x,
+                                              const LandmarkSlot& slot) const;
     [[nodiscard]] SearchResult search(const SearchRegion& region) const;
     [[nodiscard]] FrameView view() const
     {
         FrameView view;
         view.predict = [this](const Belief& at) { return predict(at); };
+        view.linearize = [this](const Eigen::VectorXd& x, const LandmarkSlot& slot)
+        { return linearize(x, slot); };
         view.search = [this](const SearchRegion& region) { return search(region); };
         return view;
     }
@@ -70,6 +74,22 @@ inline LinearWorld LinearWorld::withLandmarks(int count, unsigned seed, double s
     return world;
 }
 
+inline PredictedLandmark LinearWorld::linearize(const Eigen::VectorXd& x,
+                                                const LandmarkSlot& slot) const
+{
+    PredictedLandmark row;
+    row.id = slot.id;
+    row.offset = slot.offset;
+    row.size = slot.size();
+    row.H_v.setZero();
+    row.H_y.setZero();
+    row.H_v.leftCols<2>().setIdentity();
+    row.H_y.leftCols<2>().setIdentity();
+    row.h = x.head<2>() + x.segment<2>(slot.offset);
+    row.R = R();
+    return row;
+}
+
 inline Prediction LinearWorld::predict(const Belief& at) const
 {
     Prediction prediction;
@@ -78,19 +98,9 @@ inline Prediction LinearWorld::predict(const Belief& at) const
     for (Eigen::Index i = 0; i < m; ++i)
     {
         const LandmarkSlot& slot = at.landmarks[static_cast<std::size_t>(i)];
-        PredictedLandmark row;
-        row.id = slot.id;
-        row.offset = slot.offset;
-        row.size = slot.size();
-        row.H_v.setZero();
-        row.H_y.setZero();
-        row.H_v.leftCols<2>().setIdentity();
-        row.H_y.leftCols<2>().setIdentity();
-        row.h = at.x.head<2>() + at.x.segment<2>(slot.offset);
-        row.R = R();
         H.block<2, 2>(2 * i, 0).setIdentity();
         H.block<2, 2>(2 * i, slot.offset).setIdentity();
-        prediction.rows.push_back(row);
+        prediction.rows.push_back(linearize(at.x, slot));
     }
     prediction.PHt = at.P * H.transpose();
     prediction.HPHt = H * prediction.PHt;
@@ -132,5 +142,15 @@ inline LinearWorld LinearWorld::reversed() const
             belief.P.block<3, 3>(from.offset, from.offset);
     }
     return other;
+}
+
+/** Two landmarks of two candidates each, all of which may be right. */
+inline LinearWorld ambiguousWorld(unsigned seed)
+{
+    LinearWorld world = LinearWorld::withLandmarks(2, seed);
+    for (auto& [id, candidates] : world.seen)
+        candidates.push_back(
+            {candidates.front().z + Eigen::Vector2d(6.0, -5.0 + 2.0 * id), 0.85, 0.5 * world.R()});
+    return world;
 }
 }  // namespace monoslam::test

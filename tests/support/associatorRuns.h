@@ -11,8 +11,10 @@
 
 namespace monoslam::test
 {
-inline Correction run(const std::string& name, const LinearWorld& world,
-                      const std::string& ini = {})
+/** One frame of a strategy with its default options but for \p ini, which begins in [association]
+ *  and is of a world with a belief and a view. */
+template <typename World>
+Correction run(const std::string& name, const World& world, const std::string& ini = {})
 {
     const mrpt::config::CConfigFileMemory file("[association]\n" + ini);
     const auto associator = makeAssociator(name, file, "test.ini");

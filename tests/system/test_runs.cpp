@@ -2,52 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <regex>
 #include <string>
 
 #include "TemporaryFolder.h"
-#include "datasets.h"
-#include "runProgram.h"
+#include "appRuns.h"
 
 namespace monoslam
 {
 namespace
 {
-std::string quoted(const std::string& text)
-{
-    return "'" + text + "'";
-}
-
-std::string shipped(const std::string& name)
-{
-    return (sourceFolder() / name).string();
-}
-
-/** One number of a JSON file of ours. */
-double figure(const std::string& file, const std::string& key)
-{
-    const std::string text = readText(file);
-    std::smatch found;
-    const std::regex pattern("\"" + key + "\": *([-+.eE0-9]+)");
-    if (!std::regex_search(text, found, pattern)) throw std::runtime_error(file + ": no " + key);
-    return std::stod(found[1]);
-}
-
-/** Runs mono-slam and fails the test with its output if it does not end well. */
-void run(const std::string& arguments, const std::string& output, const std::string& prefix = {})
-{
-    const auto result = runProgram("mono-slam", arguments + " --output " + quoted(output), prefix);
-    ASSERT_EQ(result.status, 0) << result.output;
-}
-
-void evaluate(const std::string& truth, const std::string& output)
-{
-    const auto result =
-        runProgram("mono-slam-eval", "--groundtruth " + quoted(truth) + " " + quoted(output) +
-                                         " --json " + quoted(output + "/figures.json"));
-    ASSERT_EQ(result.status, 0) << result.output;
-}
-
 std::string makeRawlog(const std::filesystem::path& sequence, const std::string& rawlog)
 {
     const auto result =
@@ -58,7 +21,6 @@ std::string makeRawlog(const std::filesystem::path& sequence, const std::string&
     return rawlog;
 }
 
-const std::string kDesk = quoted(shipped("config/desk.ini"));
 const std::string kShort = " --set rawlog.frame_count=40";
 }  // namespace
 
@@ -102,22 +64,6 @@ TEST(Runs, DefaultConfigurationSaysWhatTheProgramDoesAnyway)
         runProgram("mono-slam", "--write-default-config " + quoted(folder / "written.ini"));
     ASSERT_EQ(written.status, 0) << written.output;
     EXPECT_EQ(readText(folder / "written.ini"), readText(shipped("config/default.ini")));
-}
-
-TEST(Runs, EveryStrategyFollowsTheShippedSequence)
-{
-    const TemporaryFolder folder;
-    for (const std::string strategy : {"none", "appearance_nn", "spatial_nn", "jcbb", "hohct"})
-    {
-        const std::string output = folder / strategy;
-        run(kDesk + kShort + " --set association.strategy=" + strategy, output);
-        evaluate(shipped("datasets/desk/groundtruth.txt"), output);
-        const bool validates = strategy == "jcbb" || strategy == "hohct";
-        EXPECT_LT(figure(output + "/figures.json", "SE3_ate_rmse_mm"), validates ? 5.0 : 30.0)
-            << strategy;
-    }
-    EXPECT_EQ(readText(folder / "none/trajectory.tum"),
-              readText(folder / "appearance_nn/trajectory.tum"));
 }
 
 TEST(Runs, FirstPapersSettingsAndMrptsFilterFollowTheShippedSequence)

@@ -19,6 +19,14 @@ Registry builtIns()
     return {{"none", makeUnvalidated},
             {"appearance_nn", makeAppearanceNN},
             {"spatial_nn", makeSpatialNN},
+            {"one_point_ransac", makeOnePointRansac},
+            {"active_search", makeActiveSearch},
+            {"mhda", makeMhda},
+            {"active_matching", makeActiveMatching},
+            {"clam", makeClam},
+            {"subam", makeSubam},
+            {"ccda", makeCcda},
+            {"cost_assignment", makeCostAssignment},
             {"jcbb", makeJcbb},
             {"hohct", makeHohct}};
 }

@@ -13,17 +13,11 @@
 
 namespace monoslam
 {
-namespace
-{
-/** Variance that covers what a linear prediction misses [px^2]. */
-constexpr double kLinearizationVariance_px2 = 0.5;
-
-}  // namespace
-
 BatchSearch::BatchSearch(Prediction prediction, const FrameView& view, const Settings& settings)
     : prediction_(std::move(prediction)), view_(view), settings_(settings)
 {
     problem_.prediction = &prediction_;
+    problem_.imageArea_px2 = view.imageArea_px2;
     listRows();
 }
 
@@ -58,6 +52,7 @@ SearchRegion BatchSearch::ownRegion(Eigen::Index row) const
     region.S = at(row).S;
     region.gate = settings_.gate;
     region.maxCandidates = settings_.maxCandidates;
+    region.minScore = settings_.minScore;
     return region;
 }
 
@@ -74,6 +69,7 @@ void BatchSearch::moveTo(Prediction prediction)
 {
     const std::map<LandmarkId, Eigen::Index> rowOf = rowsById(prediction);
     AssociationProblem moved;
+    moved.imageArea_px2 = problem_.imageArea_px2;
     for (std::size_t i = 0; i < problem_.rows.size(); ++i)
     {
         const auto row = rowOf.find(at(problem_.rows[i]).id);

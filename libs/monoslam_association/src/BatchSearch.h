@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "monoslam_association/BatchAssociator.h"
@@ -20,6 +22,7 @@ class BatchSearch
         double gate = 5.9915;
         int maxCandidates = 1;
         BatchOptions options;
+        std::optional<double> minScore;  ///< of a candidate; nothing: the search's own
     };
 
     BatchSearch(Prediction prediction, const FrameView& view, const Settings& settings);
@@ -39,6 +42,7 @@ class BatchSearch
 
     [[nodiscard]] const Prediction& prediction() const { return prediction_; }
     [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
+    [[nodiscard]] const Settings& settings() const { return settings_; }
     /** Records of every row of the prediction, and the search counters. */
     std::vector<Association> associations;
     AssociationCounters counters;
@@ -61,6 +65,18 @@ class BatchSearch
     std::vector<Eigen::Index> untried_;      ///< rows, by landmark id
     std::vector<Eigen::Vector2d> searched_;  ///< predicted pixels of the rows searched so far
 };
+
+/** Accepted candidate of every pair that a search has found so far, -1 = none. */
+using DecideFn = std::function<std::vector<int>(BatchSearch&)>;
+
+/** Searches the first stage, decides, linearises again at the mean that the accepted pairs give,
+ *  searches the rest in shrunken gates and decides over all. eturn the last decision */
+[[nodiscard]] std::vector<int> searchInStages(BatchSearch& search, Belief& prior,
+                                              const FrameView& view, const DecideFn& decide);
+
+/** Fate, pixel, score and NIS of every pair that went into validation. */
+void recordPairs(const AssociationProblem& problem, const std::vector<int>& chosen,
+                 std::vector<Association>& associations);
 
 /** Pixels chosen in a problem, -1 = none. */
 [[nodiscard]] std::vector<PixelMeasurement> pixelsOf(const AssociationProblem& problem,

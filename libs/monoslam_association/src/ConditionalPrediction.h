@@ -11,6 +11,9 @@ namespace monoslam
 /** Pairs that suffice to fix the six numbers of a camera pose. */
 inline constexpr std::size_t kPoseFixingPairs = 3;
 
+/** Variance that covers what a linear prediction misses [px^2]. */
+inline constexpr double kLinearizationVariance_px2 = 0.5;
+
 /** Measurements of other landmarks given an accepted set a, in measurement space.
  *
  *      S_aa = L L',  Y = L^-1 HPHt_aj:   shift = Y' L^-1 nu_a,   HPHt_j|a = HPHt_jj - Y'Y

@@ -99,6 +99,9 @@ FrameView SyntheticWorld::view(const Vector13d& x_v, const VisibilityOptions& vi
     FrameView frame;
     frame.predict = [this, visibility](const Belief& belief)
     { return predictMeasurements(belief, camera_, visibility); };
+    frame.linearize = [this, visibility](const Eigen::VectorXd& x, const LandmarkSlot& slot)
+    { return linearizeLandmark(x, slot, camera_, visibility); };
+    frame.imageArea_px2 = 1.0 * options_.camera.width_px * options_.camera.height_px;
     frame.search = [this, x_v, sightings](const SearchRegion& region)
     {
         auto [at, fresh] = sightings->try_emplace(region.id);

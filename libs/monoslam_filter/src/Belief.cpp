@@ -71,16 +71,22 @@ void Belief::checkInvariant() const
             throw std::logic_error("Belief: a clone's quaternion is not of unit length");
 }
 
-const Belief& best(const Mixture& mixture)
+std::size_t bestIndex(const Mixture& mixture)
 {
     if (mixture.empty()) throw std::logic_error("best(): empty mixture");
     const auto heavier = [](const WeightedBelief& a, const WeightedBelief& b)
     { return a.logWeight < b.logWeight; };
-    return std::max_element(mixture.begin(), mixture.end(), heavier)->belief;
+    const auto heaviest = std::max_element(mixture.begin(), mixture.end(), heavier);
+    return static_cast<std::size_t>(heaviest - mixture.begin());
+}
+
+const Belief& best(const Mixture& mixture)
+{
+    return mixture[bestIndex(mixture)].belief;
 }
 
 Belief& best(Mixture& mixture)
 {
-    return const_cast<Belief&>(best(std::as_const(mixture)));
+    return mixture[bestIndex(mixture)].belief;
 }
 }  // namespace monoslam

@@ -17,27 +17,33 @@ Eigen::Index cameraColumns(const Camera& camera)
 void projectVisible(const Belief& belief, const Camera& camera, const VisibilityOptions& options,
                     const std::function<bool(Eigen::Index)>& admit, Prediction& prediction)
 {
-    const Vector13d x_v = belief.camera();
     prediction.rows.reserve(belief.landmarks.size());
     for (std::size_t i = 0; i < belief.landmarks.size(); ++i)
     {
         if (admit && !admit(static_cast<Eigen::Index>(i))) continue;
-        const LandmarkSlot& slot = belief.landmarks[i];
-        const auto y = belief.x.segment(slot.offset, slot.size());
-        const auto projected = projectLandmark(camera, x_v, slot.kind, y);
-        if (!projected || !camera.contains(projected->h, options.border_px)) continue;
-        PredictedLandmark row;
-        row.id = slot.id;
-        row.offset = slot.offset;
-        row.size = slot.size();
-        row.h = projected->h;
-        row.H_v = projected->J_h_xv;
-        row.H_y = projected->J_h_y;
-        row.R = options.sigma_px * options.sigma_px * Eigen::Matrix2d::Identity();
-        prediction.rows.push_back(row);
+        const auto row = linearizeLandmark(belief.x, belief.landmarks[i], camera, options);
+        if (row) prediction.rows.push_back(*row);
     }
 }
 }  // namespace
+
+std::optional<PredictedLandmark> linearizeLandmark(const Eigen::VectorXd& x,
+                                                   const LandmarkSlot& slot, const Camera& camera,
+                                                   const VisibilityOptions& options)
+{
+    const auto projected =
+        projectLandmark(camera, x.head<kSize>(), slot.kind, x.segment(slot.offset, slot.size()));
+    if (!projected || !camera.contains(projected->h, options.border_px)) return std::nullopt;
+    PredictedLandmark row;
+    row.id = slot.id;
+    row.offset = slot.offset;
+    row.size = slot.size();
+    row.h = projected->h;
+    row.H_v = projected->J_h_xv;
+    row.H_y = projected->J_h_y;
+    row.R = options.sigma_px * options.sigma_px * Eigen::Matrix2d::Identity();
+    return row;
+}
 
 Prediction predictMeasurements(const Belief& belief, const Camera& camera,
                                const VisibilityOptions& options,

@@ -45,11 +45,17 @@ CornerTrackerOptions trackerOptions(const SearchOptions& search)
     return o;
 }
 
-const std::optional<Patch>& LandmarkFinder::patchOf(LandmarkId id)
+LandmarkFinder::Expected& LandmarkFinder::expectedOf(LandmarkId id)
 {
-    const auto known = patches_.find(id);
-    if (known != patches_.end()) return known->second;
-    std::optional<Patch>& patch = patches_[id];
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return landmarks_[id];
+}
+
+const std::optional<Patch>& LandmarkFinder::patchOf(Expected& landmark, LandmarkId id) const
+{
+    const std::lock_guard<std::mutex> lock(landmark.mutex);
+    std::optional<Patch>& patch = landmark.patch;
+    if (std::exchange(landmark.sampled, true)) return patch;
     const auto record = records_.find(id);
     const Eigen::Index index = expected_.find(id);
     if (record == records_.end() || index < 0) return patch;
@@ -61,10 +67,36 @@ const std::optional<Patch>& LandmarkFinder::patchOf(LandmarkId id)
     return patch;
 }
 
+/** The peak aligned to sub-pixels: the same for every belief that comes upon it. */
+std::optional<AlignedPatch> LandmarkFinder::align(Expected& landmark, LandmarkId id,
+                                                  const Eigen::Vector2d& peak) const
+{
+    const std::lock_guard<std::mutex> lock(landmark.mutex);
+    const std::pair<int, int> pixel(static_cast<int>(peak.x()), static_cast<int>(peak.y()));
+    const auto [at, fresh] = landmark.aligned.try_emplace(pixel);
+    if (!fresh) return at->second;
+    AlignOptions options = trackerOptions(options_).align;
+    options.sigmaFloor_px =
+        std::max(options.sigmaFloor_px, std::sqrt(records_.at(id).variance_px2));
+    at->second = alignPatch(image_, *landmark.patch, peak, options);
+    return at->second;
+}
+
+std::optional<SlopeEstimate> LandmarkFinder::slopeSeen(LandmarkId id,
+                                                       const Eigen::Vector2d& z) const
+{
+    const auto landmark = landmarks_.find(id);
+    if (landmark == landmarks_.end()) return std::nullopt;
+    for (const auto& [peak, aligned] : landmark->second.aligned)
+        if (aligned && aligned->uv_px == z) return aligned->slope;
+    return std::nullopt;
+}
+
 SearchResult LandmarkFinder::search(const SearchRegion& region)
 {
     SearchResult result;
-    const std::optional<Patch>& patch = patchOf(region.id);
+    Expected& landmark = expectedOf(region.id);
+    const std::optional<Patch>& patch = patchOf(landmark, region.id);
     if (!patch)
     {
         result.status = SearchStatus::Unpredictable;
@@ -74,7 +106,7 @@ SearchResult LandmarkFinder::search(const SearchRegion& region)
     ellipse.centre_px = region.centre;
     ellipse.gate = region.gate;
     ellipse.S = clip(region.S, region.gate, options_.max_radius_px);
-    ellipse.minScore = options_.min_zncc;
+    ellipse.minScore = region.minScore.value_or(options_.min_zncc);
     ellipse.maxPeaks = region.maxCandidates;
     const PatchSearch found = searchPatch(image_, *patch, ellipse);
     result.pixels = found.pixels;
@@ -84,14 +116,10 @@ SearchResult LandmarkFinder::search(const SearchRegion& region)
                             options_.sigma_px * options_.sigma_px * Eigen::Matrix2d::Identity()};
         if (options_.subpixel)
         {
-            AlignOptions align = trackerOptions(options_).align;
-            align.sigmaFloor_px =
-                std::max(align.sigmaFloor_px, std::sqrt(records_.at(region.id).variance_px2));
-            const auto aligned = alignPatch(image_, *patch, peak.uv_px, align);
+            const auto aligned = align(landmark, region.id, peak.uv_px);
             if (!aligned) continue;
             candidate.z = aligned->uv_px;
             candidate.R = aligned->R;
-            slopes_[region.id].push_back({aligned->uv_px, aligned->slope});
         }
         result.candidates.push_back(candidate);
     }

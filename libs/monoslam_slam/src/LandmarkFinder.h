@@ -2,14 +2,16 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <optional>
-#include <vector>
+#include <utility>
 
 #include "LandmarkRecord.h"
 #include "monoslam_association/Associator.h"
 #include "monoslam_models/Camera.h"
 #include "monoslam_slam/SearchOptions.h"
 #include "monoslam_vision/CornerTracker.h"
+#include "monoslam_vision/alignPatch.h"
 #include "monoslam_vision/searchPatch.h"
 
 namespace monoslam
@@ -19,14 +21,8 @@ namespace monoslam
 
 [[nodiscard]] CornerTrackerOptions trackerOptions(const SearchOptions& search);
 
-/** What one candidate's alignment told of its landmark's surface. */
-struct SeenSlope
-{
-    Eigen::Vector2d z;
-    SlopeEstimate slope;
-};
-
-/** Active search in one frame: expected patches are made once per landmark from one belief. */
+/** Active search in one frame: expected patches are made once per landmark from one belief, and a
+ *  peak is aligned once. search() may be called from several threads at once. */
 class LandmarkFinder
 {
    public:
@@ -38,21 +34,32 @@ class LandmarkFinder
 
     [[nodiscard]] SearchResult search(const SearchRegion& region);
 
-    /** Of every candidate that has been found so far. */
-    [[nodiscard]] const std::map<LandmarkId, std::vector<SeenSlope>>& slopes() const
-    {
-        return slopes_;
-    }
+    /** What the alignment of a candidate told of its landmark's surface; nothing if no candidate of
+     *  that landmark was found at z. */
+    [[nodiscard]] std::optional<SlopeEstimate> slopeSeen(LandmarkId id,
+                                                         const Eigen::Vector2d& z) const;
 
    private:
-    [[nodiscard]] const std::optional<Patch>& patchOf(LandmarkId id);
+    /** What is known of a landmark in this frame. */
+    struct Expected
+    {
+        std::mutex mutex;
+        bool sampled = false;
+        std::optional<Patch> patch;
+        std::map<std::pair<int, int>, std::optional<AlignedPatch>> aligned;  ///< by peak
+    };
+
+    [[nodiscard]] Expected& expectedOf(LandmarkId id);
+    [[nodiscard]] const std::optional<Patch>& patchOf(Expected& landmark, LandmarkId id) const;
+    [[nodiscard]] std::optional<AlignedPatch> align(Expected& landmark, LandmarkId id,
+                                                    const Eigen::Vector2d& peak) const;
 
     const Camera& camera_;
     const PreparedImage& image_;
     const SearchOptions& options_;
     const LandmarkRecords& records_;
     const Belief& expected_;
-    std::map<LandmarkId, std::optional<Patch>> patches_;
-    std::map<LandmarkId, std::vector<SeenSlope>> slopes_;
+    std::mutex mutex_;  ///< of the map; its entries have their own
+    std::map<LandmarkId, Expected> landmarks_;
 };
 }  // namespace monoslam

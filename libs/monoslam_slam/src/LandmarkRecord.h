@@ -9,16 +9,23 @@
 
 namespace monoslam
 {
-/** What the pipeline remembers of a landmark beside its place in the state. */
-struct LandmarkRecord
+/** How a landmark fared in one belief. */
+struct TrackRecord
 {
-    Appearance born;
-    long bornFrame = 0;  ///< of its appearance
     long lastSeen = 0;
     int searched = 0;
     int found = 0;
     int matched = 0;
     std::vector<long> strikes;  ///< frames of recent rejections
+};
+using TrackRecords = std::map<LandmarkId, TrackRecord>;
+
+/** What the pipeline remembers of a landmark beside its place in the state; the track record is that
+ *  of the belief of largest weight. */
+struct LandmarkRecord : TrackRecord
+{
+    Appearance born;
+    long bornFrame = 0;         ///< of its appearance
     double variance_px2 = 0.0;  ///< of its matches beyond the alignment's own, per axis
     bool known = false;         ///< a point of the metric target
 };

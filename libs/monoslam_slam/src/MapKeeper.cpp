@@ -27,36 +27,17 @@ MapKeeper::MapKeeper(const MonoSlamOptions& options, const Camera& camera, unsig
 {
 }
 
-Mixture MapKeeper::revise(Mixture mixture, const std::vector<Association>& associations,
-                          const FrameContext& frame)
+Mixture MapKeeper::revise(Mixture mixture, const Correction& correction, const FrameContext& frame)
 {
     added_ = 0;
     removed_ = 0;
-    noteFates(associations, frame.index);
+    noteFates(mixture, correction, frame.index);
     mixture = removeBad(std::move(mixture), frame.index);
     mixture = convert(std::move(mixture));
     mixture = promoteCandidates(std::move(mixture), frame);
     mixture = addNew(std::move(mixture), frame);
     mixture = boundState(std::move(mixture));
     return dropUnusedClones(std::move(mixture));
-}
-
-void MapKeeper::noteFates(const std::vector<Association>& associations, long frame)
-{
-    matchedNow_ = 0;
-    for (const Association& association : associations)
-    {
-        const auto it = records_.find(association.id);
-        if (it == records_.end() || association.fate == Fate::NotSearched) continue;
-        LandmarkRecord& record = it->second;
-        ++record.searched;
-        if (association.fate != Fate::NotFound) ++record.found;
-        if (association.fate == Fate::Rejected) record.strikes.push_back(frame);
-        if (association.fate != Fate::Matched) continue;
-        ++record.matched;
-        ++matchedNow_;
-        record.lastSeen = frame;
-    }
 }
 
 void MapKeeper::noteResiduals(const Belief& belief, const std::vector<Association>& associations)
@@ -73,21 +54,18 @@ void MapKeeper::noteResiduals(const Belief& belief, const std::vector<Associatio
 }
 
 void MapKeeper::learnSlopes(const std::vector<Association>& associations,
-                            const std::map<LandmarkId, std::vector<SeenSlope>>& seen)
+                            const LandmarkFinder& finder)
 {
     for (const Association& association : associations)
     {
         const auto record = records_.find(association.id);
-        const auto candidates = seen.find(association.id);
-        if (association.fate != Fate::Matched || record == records_.end() ||
-            candidates == seen.end())
-            continue;
-        for (const SeenSlope& candidate : candidates->second)
-            if (candidate.z == association.z) record->second.born.slope.learn(candidate.slope);
+        if (association.fate != Fate::Matched || record == records_.end()) continue;
+        if (const auto slope = finder.slopeSeen(association.id, association.z))
+            record->second.born.slope.learn(*slope);
     }
 }
 
-bool MapKeeper::isBad(const LandmarkRecord& record, long frame) const
+bool MapKeeper::isBad(const TrackRecord& record, long frame) const
 {
     const MapOptions& map = options_.map;
     const auto recent = std::count_if(record.strikes.begin(), record.strikes.end(),
@@ -98,66 +76,59 @@ bool MapKeeper::isBad(const LandmarkRecord& record, long frame) const
            record.matched < map.min_found_ratio * record.searched;
 }
 
-Mixture MapKeeper::removeBad(Mixture mixture, long frame)
+/** Landmarks that a belief is to give up; an implausible rho that can be mended is. */
+std::vector<LandmarkId> MapKeeper::badOnes(Belief& belief, const TrackRecords& tracks,
+                                           long frame) const
 {
     std::vector<LandmarkId> gone;
-    for (const auto& [id, record] : records_)
-        if (isBad(record, frame)) gone.push_back(id);
-    for (auto& weighted : mixture)
-        for (const auto& slot : weighted.belief.landmarks)
-        {
-            if (slot.kind != LandmarkKind::InverseDepth) continue;
-            double& rho = weighted.belief.x(slot.offset + inverse_depth::kRho);
-            if (rho > 0.0) continue;
-            // A negative rho puts the point behind its anchor: push it to almost infinity if that
-            // is plausible, else give it up.
-            if (rho + 2.0 * sigmaRho(weighted.belief, slot) > 0.0)
-                rho = kLeastRho;
-            else
-                gone.push_back(slot.id);
-        }
-    for (auto& weighted : mixture)
-        weighted.belief = removeLandmarks(std::move(weighted.belief), gone);
-    for (const LandmarkId id : gone) forget(id);
+    for (const auto& [id, track] : tracks)
+        if (isBad(track, frame)) gone.push_back(id);
+    for (const auto& slot : belief.landmarks)
+    {
+        if (slot.kind != LandmarkKind::InverseDepth) continue;
+        double& rho = belief.x(slot.offset + inverse_depth::kRho);
+        if (rho > 0.0) continue;
+        // A negative rho puts the point behind its anchor: push it to almost infinity if that is
+        // plausible, else give it up.
+        if (rho + 2.0 * sigmaRho(belief, slot) > 0.0)
+            rho = kLeastRho;
+        else
+            gone.push_back(slot.id);
+    }
+    return gone;
+}
+
+Mixture MapKeeper::removeBad(Mixture mixture, long frame)
+{
+    for (std::size_t b = 0; b < mixture.size(); ++b)
+        remove(mixture, b, badOnes(mixture[b].belief, tracks_[b], frame));
     return mixture;
 }
 
-void MapKeeper::forget(LandmarkId id)
+std::vector<LandmarkId> MapKeeper::leastUseful(const TrackRecords& tracks, std::size_t count) const
 {
-    removed_ += static_cast<int>(records_.erase(id));
-}
-
-void MapKeeper::keepOnly(const Belief& belief)
-{
-    corners_.clear();
-    for (auto it = records_.begin(); it != records_.end();)
-    {
-        const bool gone = belief.find(it->first) < 0;
-        it = gone ? records_.erase(it) : std::next(it);
-        removed_ += gone ? 1 : 0;
-    }
+    std::vector<LandmarkId> order;
+    for (const auto& entry : tracks)
+        if (!records_.at(entry.first).known) order.push_back(entry.first);
+    std::stable_sort(order.begin(), order.end(),
+                     [&tracks](LandmarkId a, LandmarkId b)
+                     {
+                         const TrackRecord& first = tracks.at(a);
+                         const TrackRecord& second = tracks.at(b);
+                         if (first.lastSeen != second.lastSeen)
+                             return first.lastSeen < second.lastSeen;
+                         return first.matched < second.matched;
+                     });
+    order.resize(std::min(order.size(), count));
+    return order;
 }
 
 Mixture MapKeeper::boundState(Mixture mixture)
 {
     const auto most = static_cast<std::size_t>(options_.map.max_landmarks);
-    if (records_.size() <= most) return mixture;
-    std::vector<LandmarkId> order;
-    for (const auto& [id, record] : records_)
-        if (!record.known) order.push_back(id);
-    std::stable_sort(order.begin(), order.end(),
-                     [this](LandmarkId a, LandmarkId b)
-                     {
-                         const LandmarkRecord& first = records_.at(a);
-                         const LandmarkRecord& second = records_.at(b);
-                         if (first.lastSeen != second.lastSeen)
-                             return first.lastSeen < second.lastSeen;
-                         return first.matched < second.matched;
-                     });
-    order.resize(std::min(order.size(), records_.size() - most));
-    for (auto& weighted : mixture)
-        weighted.belief = removeLandmarks(std::move(weighted.belief), order);
-    for (const LandmarkId id : order) forget(id);
+    for (std::size_t b = 0; b < mixture.size(); ++b)
+        if (tracks_[b].size() > most)
+            remove(mixture, b, leastUseful(tracks_[b], tracks_[b].size() - most));
     return mixture;
 }
 

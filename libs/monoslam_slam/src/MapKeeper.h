@@ -39,18 +39,21 @@ class MapKeeper
     [[nodiscard]] Mixture addFirst(Mixture mixture, const FrameContext& frame, double rho0,
                                    double sigma_rho);
 
-    /** After an update: counts fates, removes, converts, tracks candidates, adds. */
-    [[nodiscard]] Mixture revise(Mixture mixture, const std::vector<Association>& associations,
+    /** After an update: counts fates, removes, converts, tracks candidates, adds. Each belief of
+     *  the mixture removes by its own track records; all get the same new landmarks, where the
+     *  belief of largest weight sees place for them.
+     *  \param correction  its mixture has been moved to \p mixture */
+    [[nodiscard]] Mixture revise(Mixture mixture, const Correction& correction,
                                  const FrameContext& frame);
 
     /** Each landmark's own noise follows its residuals: corners on edges are worse than others. */
     void noteResiduals(const Belief& belief, const std::vector<Association>& associations);
 
     /** Learns the slope of the surfaces from the matches among the candidates seen. */
-    void learnSlopes(const std::vector<Association>& associations,
-                     const std::map<LandmarkId, std::vector<SeenSlope>>& seen);
+    void learnSlopes(const std::vector<Association>& associations, const LandmarkFinder& finder);
 
-    /** Forgets every landmark that is not in the belief, and all candidates. */
+    /** Goes on with one belief, made of the one of largest weight in the last revision: forgets
+     *  every landmark that is not in it, and all candidates. */
     void keepOnly(const Belief& belief);
 
     /** Median inverse distance of the landmarks that have been seen often, else rho0. */
@@ -65,8 +68,17 @@ class MapKeeper
     [[nodiscard]] int removed() const { return removed_; }
 
    private:
-    void noteFates(const std::vector<Association>& associations, long frame);
-    [[nodiscard]] bool isBad(const LandmarkRecord& record, long frame) const;
+    void noteFates(const Mixture& mixture, const Correction& correction, long frame);
+    [[nodiscard]] bool isBad(const TrackRecord& record, long frame) const;
+    [[nodiscard]] std::vector<LandmarkId> badOnes(Belief& belief, const TrackRecords& tracks,
+                                                  long frame) const;
+    [[nodiscard]] std::vector<LandmarkId> leastUseful(const TrackRecords& tracks,
+                                                      std::size_t count) const;
+    void remove(Mixture& mixture, std::size_t belief, const std::vector<LandmarkId>& ids);
+    void enter(LandmarkId id, LandmarkRecord record, const Mixture& mixture);
+    /** The candidate in every belief, triangulated from the poses that each of them knows. */
+    [[nodiscard]] Mixture addTriangulatedTo(Mixture mixture, const TrackedCorner& corner,
+                                            double sigma_px) const;
     [[nodiscard]] Mixture removeBad(Mixture mixture, long frame);
     [[nodiscard]] Mixture boundState(Mixture mixture);
     [[nodiscard]] Mixture convert(Mixture mixture) const;
@@ -83,12 +95,14 @@ class MapKeeper
     [[nodiscard]] Mixture dropUnusedClones(Mixture mixture) const;
     [[nodiscard]] std::vector<Eigen::Vector2d> takenPixels(const Belief& belief) const;
     [[nodiscard]] UndelayedPrior priorNow(const Belief& belief) const;
-    void forget(LandmarkId id);
 
     MonoSlamOptions options_;
     const Camera& camera_;
     std::mt19937 rng_;
     LandmarkRecords records_;
+    std::vector<TrackRecords> tracks_ =
+        std::vector<TrackRecords>(1);  ///< of each belief of the mixture, at first one
+    std::size_t best_ = 0;             ///< of them, the one that records_ tell of
     std::vector<TrackedCorner> corners_;
     LandmarkId nextId_ = 0;
     CloneId nextClone_ = 0;

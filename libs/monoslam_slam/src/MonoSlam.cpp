@@ -44,7 +44,7 @@ FrameReport MonoSlam::process(const Frame& frame)
     }
     impl_->refineStart(context, report);
     report.times.map_ms = clock.lap_ms();
-    report.times.total_ms = whole.lap_ms();
+    report.times.total_ms = whole.lap_ms() + report.counters.otherThreadsMs;
     impl_->summarize(report);
     return report;
 }

@@ -68,10 +68,13 @@ Correction MonoSlam::Impl::correct(const FrameContext& context)
     FrameView view;
     view.predict = [&](const Belief& belief)
     { return predictMeasurements(belief, camera, visibility); };
+    view.linearize = [&](const Eigen::VectorXd& x, const LandmarkSlot& slot)
+    { return linearizeLandmark(x, slot, camera, visibility); };
+    view.imageArea_px2 = 1.0 * camera.parameters().width_px * camera.parameters().height_px;
     view.search = [&](const SearchRegion& region) { return finder.search(region); };
     view.engine = engine;
     Correction correction = associator->correct(std::move(mixture), view, rng);
-    keeper.learnSlopes(correction.associations, finder.slopes());
+    keeper.learnSlopes(correction.associations, finder);
     return correction;
 }
 
@@ -84,38 +87,42 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
 
     Correction correction = correct(context);
     mixture = std::move(correction.mixture);
-    report.associations = std::move(correction.associations);
     report.counters = correction.counters;
+    report.diversity = correction.diversity;
     report.times.search_ms = report.counters.searchMs;
     report.times.associate_ms = report.counters.selectMs;
-    report.times.update_ms = clock.lap_ms() - report.counters.searchMs - report.counters.selectMs;
+    report.times.update_ms = clock.lap_ms() + report.counters.otherThreadsMs -
+                             report.counters.searchMs - report.counters.selectMs;
     const Belief& belief = best(mixture);
     if (options.search.subpixel)
-        noise.adapt(settledResiduals(belief, camera, report.associations, keeper.records()));
-    keeper.noteResiduals(belief, report.associations);
+        noise.adapt(settledResiduals(belief, camera, correction.associations, keeper.records()));
+    keeper.noteResiduals(belief, correction.associations);
     if (options.estimateReadout)
     {
-        readout.observe(belief, camera, report.associations, noise.sigma_px());
+        readout.observe(belief, camera, correction.associations, noise.sigma_px());
         camera.setReadout(readout.readout_s());
     }
-    report.residualRms_px = residualRms_px(belief, camera, report.associations);
-    for (const auto& association : report.associations)
+    report.residualRms_px = residualRms_px(belief, camera, correction.associations);
+    for (const auto& association : correction.associations)
         if (association.fate == Fate::Matched) ++report.matched;
-    mixture = keeper.revise(std::move(mixture), report.associations, context);
+    mixture = keeper.revise(std::move(mixture), correction, context);
+    report.associations = std::move(correction.associations);
 }
 
-/** Re-estimates the first seconds, where a wrong linearisation would stay for ever. */
+/** Re-estimates the first seconds, where a wrong linearisation would stay for ever. Of several
+ *  beliefs the one of largest weight is recorded and re-estimated, and the mixture is then that one:
+ *  what the others would have linearised differently is what the estimate repairs. */
 void MonoSlam::Impl::refineStart(const FrameContext& context, const FrameReport& report)
 {
-    if (!window || !window->open() || mixture.size() != 1) return;
-    Belief& belief = mixture.front().belief;
+    if (!window || !window->open() || mixture.empty()) return;
+    const Belief& belief = best(mixture);
     window->record(report.t_s, context.index, belief, report.associations, keeper.records(),
                    birthSigma_px());
     auto refined = window->refine(belief, keeper.records(), options.motion);
     if (refined)
     {
-        belief = std::move(*refined);
-        keeper.keepOnly(belief);
+        mixture = {{std::move(*refined), 0.0}};
+        keeper.keepOnly(best(mixture));
     }
     keeper.setStarting(window->open());
 }

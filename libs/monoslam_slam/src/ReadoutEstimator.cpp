@@ -12,8 +12,9 @@ namespace monoslam
 {
 namespace
 {
-constexpr int kFewest = 12;       ///< pairs of a frame that say something beside the pose
-constexpr double kForget = 0.95;  ///< per frame: state and landmarks have yielded to the error so far
+constexpr int kFewest = 12;  ///< pairs of a frame that say something beside the pose
+constexpr double kForget =
+    0.95;  ///< per frame: state and landmarks have yielded to the error so far
 constexpr double kHuber_sigmas = 2.0;
 constexpr double kLeastSigma_px = 0.2;  ///< of a residual
 constexpr double kCertain_sigmas = 4.0;
@@ -46,17 +47,17 @@ void ReadoutEstimator::observe(const Belief& belief, const Camera& camera,
         if (association.fate != Fate::Matched || index < 0) continue;
         const auto& slot = belief.landmarks[static_cast<std::size_t>(index)];
         const auto row = poseAfter(x_v, rowTime_s(camera, association.z.y()));
-        const auto projected = projectOnTangent(
-            camera, ViewPose(row.pose),
-            LandmarkRay(slot.kind, belief.x.segment(slot.offset, slot.size())));
+        const auto projected =
+            projectOnTangent(camera, ViewPose(row.pose),
+                             LandmarkRay(slot.kind, belief.x.segment(slot.offset, slot.size())));
         if (!projected) continue;
         const double share = association.z.y() / camera.parameters().height_px - 0.5;
         Eigen::Matrix<double, 2, 7> J;
         J << projected->J_h_pose, share * (projected->J_h_pose * rate);
         const Eigen::Vector2d e = association.z - projected->h + J.col(kTau) * used_s;
         const double sigmas = (association.z - projected->h).norm() / sigma_px;
-        const double weight = std::min(1.0, kHuber_sigmas / std::max(sigmas, 1e-9)) /
-                              (sigma_px * sigma_px);
+        const double weight =
+            std::min(1.0, kHuber_sigmas / std::max(sigmas, 1e-9)) / (sigma_px * sigma_px);
         A += weight * J.transpose() * J;
         b += weight * J.transpose() * e;
         ++count;

@@ -56,7 +56,7 @@ Mixture MapKeeper::addKnownPoints(Mixture mixture, const MetricPose& target,
         record.born = {frame.image, target.pixels_px[i], best(mixture).pose(), {}};
         record.bornFrame = record.lastSeen = frame.index;
         record.known = true;
-        records_[id] = record;
+        enter(id, record, mixture);
     }
     return mixture;
 }

@@ -22,7 +22,7 @@ Mixture MapKeeper::addUndelayedAt(Mixture mixture, const Eigen::Vector2d& uv,
     LandmarkRecord record;
     record.born = {frame.image, uv, best(mixture).pose(), {}};
     record.bornFrame = record.lastSeen = frame.index;
-    records_[id] = record;
+    enter(id, record, mixture);
     ++added_;
     return mixture;
 }

@@ -2,6 +2,7 @@
 // How landmarks enter the map delayed: candidates followed in the image until their parallax suffices.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "LandmarkFinder.h"
 #include "MapKeeper.h"
@@ -42,11 +43,7 @@ Mixture MapKeeper::promoteCandidates(Mixture mixture, const FrameContext& frame)
             waiting.push_back(std::move(*corner));
             continue;
         }
-        Mixture grown = mixture;
-        for (auto& weighted : grown)
-            weighted.belief =
-                addTriangulated(std::move(weighted.belief), corner->id, *corner->triangulation,
-                                corner->first, noise.sigma_px, options_.initialization.sigma_floor);
+        Mixture grown = addTriangulatedTo(mixture, *corner, noise.sigma_px);
         const Belief& after = best(grown);
         const Eigen::Index rho = after.landmarks.back().offset + inverse_depth::kRho;
         if (std::sqrt(after.P(rho, rho)) >
@@ -61,10 +58,32 @@ Mixture MapKeeper::promoteCandidates(Mixture mixture, const FrameContext& frame)
         record.born.pose = corner->first.pose;
         record.bornFrame = corner->bornFrame;
         record.lastSeen = frame.index;
-        records_[corner->id] = record;
+        enter(corner->id, record, mixture);
         ++added_;
     }
     corners_ = std::move(waiting);
+    return mixture;
+}
+
+Mixture MapKeeper::addTriangulatedTo(Mixture mixture, const TrackedCorner& corner,
+                                     double sigma_px) const
+{
+    const std::size_t heaviest = bestIndex(mixture);
+    for (std::size_t b = 0; b < mixture.size(); ++b)
+    {
+        Belief& belief = mixture[b].belief;
+        std::optional<Triangulation> own = corner.triangulation;
+        if (b != heaviest)
+        {
+            const CloneSlot* clone =
+                corner.first.clone >= 0 ? belief.findClone(corner.first.clone) : nullptr;
+            const Vector7d first = clone ? belief.clonePose(*clone) : corner.first.pose;
+            own = triangulate(camera_, {first, corner.first.uv_px}, {belief.pose(), corner.uv_px});
+            if (!own || !(own->y(inverse_depth::kRho) > 0.0)) continue;  // not from its poses
+        }
+        belief = addTriangulated(std::move(belief), corner.id, *own, corner.first, sigma_px,
+                                 options_.initialization.sigma_floor);
+    }
     return mixture;
 }
 

@@ -40,7 +40,8 @@ double meanNis(const std::vector<Association>& associations)
 constexpr const char* kFrameColumns =
     "index,t_s,state,remark,prepare_ms,predict_ms,search_ms,associate_ms,update_ms,map_ms,"
     "total_ms,decode_ms,landmarks,visible,candidates,pairs,rejected,nodes,leaves,d2_evaluations,"
-    "joint_d2,mean_nis,residual_rms_px,matched,added,removed\n";
+    "joint_d2,mean_nis,residual_rms_px,matched,added,removed,beliefs,effective_beliefs,"
+    "belief_distance,belief_angle_rad,ancestor_age_frames\n";
 
 std::string frameLine(const FrameReport& r, double decode_ms)
 {
@@ -58,7 +59,11 @@ std::string frameLine(const FrameReport& r, double decode_ms)
     for (const double value : {c.jointD2, meanNis(r.associations), r.residualRms_px})
         line += "," + number(value, "%.6g");
     for (const int count : {r.matched, r.added, r.removed}) line += "," + std::to_string(count);
-    return line + "\n";
+    const Diversity& d = r.diversity;
+    line += "," + std::to_string(d.beliefs);
+    for (const double value : {d.effective, d.distance, d.angle_rad})
+        line += "," + number(value, "%.6g");
+    return line + "," + std::to_string(d.ancestorAge_frames) + "\n";
 }
 
 std::string covarianceHeader()

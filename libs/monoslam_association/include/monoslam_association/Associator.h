@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "monoslam_association/Diversity.h"
 #include "monoslam_association/export.h"
 #include "monoslam_filter/Belief.h"
 #include "monoslam_filter/FilterEngine.h"
@@ -34,10 +35,11 @@ struct Candidate
 struct SearchRegion
 {
     LandmarkId id = -1;
-    Eigen::Vector2d centre;  ///< [px]
-    Eigen::Matrix2d S;       ///< [px^2]
-    double gate = 5.9915;    ///< chi2(2, P_search)
-    int maxCandidates = 1;   ///< best scores first
+    Eigen::Vector2d centre;          ///< [px]
+    Eigen::Matrix2d S;               ///< [px^2]
+    double gate = 5.9915;            ///< chi2(2, P_search)
+    int maxCandidates = 1;           ///< best scores first
+    std::optional<double> minScore;  ///< instead of the search's own
 };
 
 enum class SearchStatus
@@ -54,12 +56,17 @@ struct SearchResult
     long pixels = 0;  ///< positions correlated
 };
 
-/** All that a strategy may ask of a frame; tests fill it with two lambdas. */
+/** All that a strategy may ask of a frame; tests fill it with three lambdas. A strategy with several
+ *  threads calls them from all of them at once. */
 struct FrameView
 {
     std::function<Prediction(const Belief&)> predict;
+    /** h, H and R at a mean x, S unset; nothing if the landmark is not visible from there. */
+    std::function<std::optional<PredictedLandmark>(const Eigen::VectorXd& x, const LandmarkSlot&)>
+        linearize;
     std::function<SearchResult(const SearchRegion&)> search;
     FilterEngine engine;
+    double imageArea_px2 = 640.0 * 480.0;  ///< over which wrong candidates are spread
 };
 
 /** What became of one visible landmark in one frame. */
@@ -96,17 +103,25 @@ struct AssociationCounters
     long d2Evaluations = 0;
     long faults = 0;  ///< indefinite S met in the update
     bool provedOptimal = true;
-    double jointD2 = 0.0;   ///< of the accepted set
-    double searchMs = 0.0;  ///< thread CPU time of image search
-    double selectMs = 0.0;  ///< of association proper
-    double updateMs = 0.0;  ///< of predicted measurements and filter update
+    double jointD2 = 0.0;         ///< of the accepted set
+    double searchMs = 0.0;        ///< thread CPU time of image search
+    double selectMs = 0.0;        ///< of association proper
+    double updateMs = 0.0;        ///< of predicted measurements and filter update
+    double otherThreadsMs = 0.0;  ///< of the three above, not spent in the calling thread
 };
 
+/** Images, pixels, nodes, faults and times are summed over all beliefs of the mixture; pairs and
+ *  rejected are those of the belief of largest weight. */
 struct Correction
 {
     Mixture mixture;
     std::vector<Association> associations;  ///< of the belief of largest weight
     AssociationCounters counters;
+    /** Associations of each belief, and the index of the predicted belief that it comes from; both
+     *  empty if the mixture is one belief before and after. */
+    std::vector<std::vector<Association>> ofEveryBelief = {};
+    std::vector<std::size_t> parents = {};
+    Diversity diversity = {};
 };
 
 /** The columns of the second paper's Table 1. */
@@ -126,6 +141,8 @@ class MONOSLAM_ASSOCIATION_EXPORT Associator
    public:
     virtual ~Associator() = default;
     [[nodiscard]] virtual AssociatorTraits traits() const = 0;
+    /** False if it corrects pixel by pixel itself, without FrameView::engine. */
+    [[nodiscard]] virtual bool updatesByEngine() const { return true; }
     [[nodiscard]] virtual Correction correct(Mixture predicted, const FrameView& view,
                                              std::mt19937& rng) const = 0;
 };

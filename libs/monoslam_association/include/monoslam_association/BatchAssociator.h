@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ struct AssociationProblem
     std::vector<Eigen::Index> rows;
     std::vector<std::vector<Candidate>> candidates;  ///< non-empty, best score first
     std::vector<SearchRegion> regions;               ///< where candidates[i] were searched
+    double imageArea_px2 = 640.0 * 480.0;
 };
 
 /** Searches all, decides once, updates once: NN, JCBB, HOHCT.
@@ -61,6 +63,8 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
     [[nodiscard]] virtual std::vector<int> select(const AssociationProblem& problem,
                                                   AssociationCounters& counters) const = 0;
     [[nodiscard]] virtual int maxCandidates() const { return 1; }
+    /** Least score of a candidate; nothing: the search's own. */
+    [[nodiscard]] virtual std::optional<double> minScore() const { return std::nullopt; }
     [[nodiscard]] virtual bool validatesJointly() const { return false; }
     [[nodiscard]] std::vector<int> decide(const AssociationProblem& problem,
                                           AssociationCounters& counters) const;
@@ -69,14 +73,11 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
     [[nodiscard]] std::vector<int> choose(BatchSearch& search, Belief& prior,
                                           const FrameView& view) const;
 
-    /** EKF update, iterated while the projection bends between prior and posterior.
-     *  The prior is as before when it returns. */
-    [[nodiscard]] Belief update(Belief& prior, BatchSearch& search,
-                                const std::vector<PixelMeasurement>& pixels,
-                                const FrameView& view) const;
-
     BatchOptions options_;
     double gate_;
     double finalGate_;
 };
+
+/** The belief of a mixture of one. \throw std::logic_error if there are none or several */
+[[nodiscard]] MONOSLAM_ASSOCIATION_EXPORT Belief& onlyBelief(Mixture& mixture);
 }  // namespace monoslam

@@ -67,10 +67,14 @@ struct WeightedBelief
 {
     Belief belief;
     double logWeight = 0.0;
+    /** Frames since it and each belief of the mixture were one; empty if they always were. */
+    std::vector<long> separation = {};
 };
 using Mixture = std::vector<WeightedBelief>;
 
 /** The belief of largest weight. \throw std::logic_error on an empty mixture */
 [[nodiscard]] MONOSLAM_FILTER_EXPORT const Belief& best(const Mixture& mixture);
 [[nodiscard]] MONOSLAM_FILTER_EXPORT Belief& best(Mixture& mixture);
+/** Its index, the first of several. */
+[[nodiscard]] MONOSLAM_FILTER_EXPORT std::size_t bestIndex(const Mixture& mixture);
 }  // namespace monoslam

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "monoslam_filter/Belief.h"
@@ -40,6 +41,11 @@ struct VisibilityOptions
     double border_px = 8.0;  ///< the centre stays this far inside the image
     double sigma_px = 1.0;   ///< R = sigma_px^2 I until a match brings its own
 };
+
+/** h, H and R of one landmark at the mean x; S is not set. Nothing if it is not visible from there. */
+[[nodiscard]] MONOSLAM_FILTER_EXPORT std::optional<PredictedLandmark> linearizeLandmark(
+    const Eigen::VectorXd& x, const LandmarkSlot& slot, const Camera& camera,
+    const VisibilityOptions& options);
 
 /** h, H, S of every landmark that is visible from the belief's mean.
  *

@@ -22,7 +22,7 @@ enum class TrackingState
 /** waiting, tracking, degraded, lost. */
 [[nodiscard]] MONOSLAM_SLAM_EXPORT std::string name(TrackingState state);
 
-/** Thread CPU time of every stage of one frame [ms]; decoding is not among them. */
+/** CPU time of every stage of one frame, of all threads [ms]; decoding is not among them. */
 struct StageTimes
 {
     double prepare_ms = 0.0;    ///< pyramid and integral images
@@ -53,6 +53,7 @@ struct FrameReport
     double residualRms_px = 0.0;  ///< of the matched pixels after the update
     std::vector<Association> associations;
     AssociationCounters counters;
+    Diversity diversity;  ///< of the beliefs, before the map is revised
     StageTimes times;
 
     [[nodiscard]] bool hasPose() const { return state != TrackingState::Waiting; }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "monoslam_association/Associator.h"
+
+namespace monoslam
+{
+/** A prediction of a prior and where it is linearised. */
+struct LinearizedPrior
+{
+    Belief& prior;  ///< as before when a function that takes it returns
+    const Prediction& prediction;
+    Eigen::VectorXd at;  ///< empty: the prior's mean
+};
+
+/** EKF update, iterated while the projection bends between prior and posterior, at most
+ *  \p maxIterations linearisations in all. \throw std::runtime_error if S stays indefinite */
+[[nodiscard]] Belief iteratedUpdate(const LinearizedPrior& from,
+                                    const std::vector<PixelMeasurement>& pixels,
+                                    const FrameView& view, int maxIterations, int& faults);
+
+/** Whether an update can factorise S, after the one inflation that it tries.
+ *  \param d2  joint nu' S^-1 nu, if it can */
+[[nodiscard]] bool updatable(const Prediction& prediction, std::vector<PixelMeasurement> pixels,
+                             double& d2);
+}  // namespace monoslam
