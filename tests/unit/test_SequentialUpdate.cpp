@@ -64,7 +64,7 @@ TEST(SequentialUpdate, KnowsEveryOpenLandmarkFromTheCurrentMean)
     SequentialUpdate copy = update;
     const Belief belief = std::move(copy).finish();
     const Prediction full = view.predict(belief);
-    EXPECT_LT(largestDifference(update.P_v(), belief.P.topLeftCorner<13, 13>()), 1e-9);
+    EXPECT_LT(largestDifference(update.cameraCovariance(), belief.P.topLeftCorner<13, 13>()), 1e-9);
     for (const std::size_t i : update.open())
     {
         const OpenLandmark& open = update.landmarks()[i];

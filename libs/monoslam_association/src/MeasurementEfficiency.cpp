@@ -22,7 +22,7 @@ void listEfficiencies(const SequentialUpdate& update, InformationTarget target, 
 {
     std::optional<PoseInformation> pose;
     if (target == InformationTarget::Pose)
-        pose.emplace(update.pose(), update.P_v().topLeftCorner<7, 7>());
+        pose.emplace(update.pose(), update.cameraCovariance().topLeftCorner<7, 7>());
     list.clear();
     for (const std::size_t i : update.open())
     {

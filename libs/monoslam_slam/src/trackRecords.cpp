@@ -65,8 +65,9 @@ void MapKeeper::remove(Mixture& mixture, std::size_t belief, const std::vector<L
 void MapKeeper::enter(LandmarkId id, LandmarkRecord record, const Mixture& mixture)
 {
     tracks_.resize(mixture.size());
+    const TrackRecord& track = record;
     for (std::size_t b = 0; b < mixture.size(); ++b)
-        if (mixture[b].belief.find(id) >= 0) tracks_[b][id] = record;
+        if (mixture[b].belief.find(id) >= 0) tracks_[b][id] = track;
     records_[id] = std::move(record);
 }
 

@@ -41,7 +41,7 @@ class MONOSLAM_ASSOCIATION_EXPORT SequentialUpdate
     [[nodiscard]] const std::vector<std::size_t>& open() const { return open_; }
 
     [[nodiscard]] Vector7d pose() const { return belief_.pose(); }
-    [[nodiscard]] const Matrix13d& P_v() const { return P_vv_; }
+    [[nodiscard]] const Matrix13d& cameraCovariance() const { return P_vv_; }
 
     /** h, H and S of a landmark at the current mean; false if it is not visible from there. */
     [[nodiscard]] bool linearize(std::size_t i);
