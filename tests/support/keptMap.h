@@ -88,7 +88,9 @@ struct KeptMap
     void revise(const std::vector<Association>& associations,
                 std::shared_ptr<const PreparedImage> image)
     {
-        mixture = keeper.revise(std::move(mixture), associations, {std::move(image), ++frame});
+        Correction correction;
+        correction.associations = associations;
+        mixture = keeper.revise(std::move(mixture), correction, {std::move(image), ++frame});
         for (const auto& weighted : mixture) weighted.belief.checkInvariant();
     }
 

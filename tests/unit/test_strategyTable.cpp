@@ -112,7 +112,10 @@ TEST_P(Traits, CandidatesAndBeliefsAreAsSaid)
     const Correction correction =
         makeAssociator(GetParam(), mrpt::config::CConfigFileMemory(std::string()))
             ->correct({{world.belief, 0.0}}, view, rng);
-    if (traits.multipleCandidates) EXPECT_GT(most, 1);
+    if (traits.multipleCandidates)
+    {
+        EXPECT_GT(most, 1);
+    }
     EXPECT_EQ(correction.mixture.size() > 1, traits.hypothesesBetweenFrames);
 }
 
