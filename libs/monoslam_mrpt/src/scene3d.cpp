@@ -122,7 +122,8 @@ COpenGLScene::Ptr scene3d(const std::vector<Vector7d>& path, const std::vector<M
     auto grid = CGridPlaneXY::Create(-size, size, -size, size, 0.0f, size / 10.0f);
     grid->setColor_u8(0xc0, 0xc0, 0xc0);
     scene->insert(grid);
-    for (const auto& object : *mapObjects(path, map)) scene->insert(object);
+    const auto objects = mapObjects(path, map);
+    for (const auto& object : *objects) scene->insert(object);
     if (path.empty()) return scene;
     auto& view = scene->getViewport()->getCamera();
     view.setZoomDistance(static_cast<float>(3.0 * extent));
