@@ -112,7 +112,8 @@ void checkMrptSections(Config& config, const std::string& fileName)
         const std::string where = fileName + ": [" + name + "] ";
         for (const auto& key : present)
             if (known.count(key) == 0)
-                config.warnings.push_back(where + key + ": unknown (ignored, as kf-slam does)");
+                config.warnings.emplace_back(where).append(key).append(
+                    ": unknown (ignored, as kf-slam does)");
     }
 }
 

@@ -54,12 +54,11 @@ ConditionalPairs::Gain ConditionalPairs::gainOf(const AssignmentPair& pair) cons
     const Eigen::Index b = pair.block * O_;
     Eigen::Matrix<double, O, O> S = S_.block<O, O>(pairs_ * O_, b, O_, O_);
     if (pair.R.size() > 0) S += pair.R;
-    Eigen::Matrix<double, O, 1> e = pair.nu;
-    e -= shift_.row(pairs_).segment<O>(b, O_).transpose();
+    Eigen::Matrix<double, O, 1> nu = pair.nu;
+    nu -= shift_.row(pairs_).segment<O>(b, O_).transpose();
     const Eigen::LLT<Eigen::Matrix<double, O, O>> llt(S);
     if (llt.info() != Eigen::Success) return {std::numeric_limits<double>::infinity(), 0.0};
-    llt.matrixL().solveInPlace(e);
-    return {e.squaredNorm(), logDetOf(llt)};
+    return {nu.dot(llt.solve(nu)), logDetOf(llt)};
 }
 
 ConditionalPairs::Gain ConditionalPairs::gain(const AssignmentPair& pair) const
