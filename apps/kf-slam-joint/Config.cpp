@@ -109,7 +109,8 @@ void checkMrptSections(Config& config, const std::string& fileName)
         }
         std::vector<std::string> present;
         config.ini.getAllKeys(name, present);
-        const std::string where = fileName + ": [" + name + "] ";
+        std::string where = fileName;
+        where.append(": [").append(name).append("] ");
         for (const auto& key : present)
             if (known.count(key) == 0)
                 config.warnings.emplace_back(where).append(key).append(

@@ -30,8 +30,9 @@ double distanceToTruth(const MappedLandmark& landmark, const mrpt::math::CMatrix
     for (int row = 0; row < truth.rows(); ++row)
     {
         if (haveIds && std::lround(truth(row, 6)) != landmark.id) continue;
-        const mrpt::math::TPoint3D p(truth(row, 0), truth(row, 1), truth(row, 2));
-        least = std::min(least, landmark.position.distanceTo(p));
+        least = std::min(least, std::hypot(landmark.position.x - truth(row, 0),
+                                           landmark.position.y - truth(row, 1),
+                                           landmark.position.z - truth(row, 2)));
     }
     return least;
 }

@@ -81,8 +81,8 @@ class RangeBearingWorld
     }
 
    private:
-    std::vector<mrpt::math::TPoint3D> landmarks_;
     mrpt::poses::CPose3D robot_, increment_;
+    std::vector<mrpt::math::TPoint3D> landmarks_;
     bool moved_ = false;
 };
 

@@ -80,11 +80,12 @@ TEST(MrptFaults, BoundCountsCandidatesInsteadOfObservations)
 {
     // Each observation is compatible with the three predictions of its group.
     std::vector<Eigen::Vector2d> predictions, observations;
-    for (int i = 0; i < 9; ++i)
-    {
-        predictions.emplace_back(100.0 * (i / 3) + i % 3, 0.0);
-        observations.push_back(predictions.back() + Eigen::Vector2d(0.1, 0.0));
-    }
+    for (const double group : {0.0, 100.0, 200.0})
+        for (const double member : {0.0, 1.0, 2.0})
+        {
+            predictions.emplace_back(group + member, 0.0);
+            observations.emplace_back(group + member + 0.1, 0.0);
+        }
     const Case c{points(observations), points(predictions), sharedCovariance(9, 0.0)};
     const Answers answers = ask(c);
     EXPECT_GT(answers.mrpt.nNodesExploredInJCBB, 1000U);
