@@ -77,24 +77,6 @@ TEST(GrowMap, AFullMapGivesUpWhatWasNotSeenForLongestButNoKnownPoint)
         EXPECT_EQ(kept.holds(others[i]), static_cast<int>(i) >= added) << i;
 }
 
-TEST(GrowMap, AllBeliefsOfAMixtureHoldTheSameLandmarks)
-{
-    KeptMap kept(fewLandmarks());
-    constexpr LandmarkId kFirst = 100;  // far from those that the keeper gives
-    const auto both = [](double rho)
-    { return withLandmark(kFirst + 1, 0.5, 0.1, withLandmark(kFirst, rho, 0.01)); };
-    kept.mixture = {{both(0.5), 0.0}, {both(-0.5), -1.0}};  // impossible in the second only
-    kept.revise({}, texturedFrame(1));
-    ASSERT_EQ(kept.mixture.size(), 2U);
-    EXPECT_EQ(kept.belief().find(kFirst), -1);
-    EXPECT_GE(kept.belief().find(kFirst + 1), 0);
-    ASSERT_GT(kept.keeper.added(), 0);
-    const auto& first = kept.mixture[0].belief.landmarks;
-    const auto& second = kept.mixture[1].belief.landmarks;
-    ASSERT_EQ(first.size(), second.size());
-    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].id, second[i].id);
-}
-
 TEST(GrowMap, ReplacesWhatIsNoLongerMatched)
 {
     KeptMap kept(fewLandmarks());

@@ -123,7 +123,10 @@ TEST(SeveralBeliefs, ChildrenInheritTheRecordOfTheirParent)
     // The places are free again: new landmarks, the same for both, with ids never used before.
     run.step(3);
     for (const LandmarkId id : idsOf(run.slam.mixture()[0].belief))
-        if (ids.count(id) == 0) EXPECT_EQ(idsOf(run.slam.mixture()[1].belief).count(id), 1);
+        if (ids.count(id) == 0)
+        {
+            EXPECT_EQ(idsOf(run.slam.mixture()[1].belief).count(id), 1);
+        }
     EXPECT_GT(*idsOf(run.slam.mixture()[0].belief).rbegin(), *ids.rbegin());
 }
 
