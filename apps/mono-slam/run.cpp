@@ -86,6 +86,7 @@ int run(const Arguments& arguments)
         writeDefaultConfig(arguments);
         return 0;
     }
+    registerMrptAssociators();
     if (arguments.listStrategies)
     {
         std::printf("%s", strategyTable().c_str());
@@ -93,7 +94,6 @@ int run(const Arguments& arguments)
     }
     if (arguments.configFile.empty())
         throw std::invalid_argument("no CONFIG.ini is given; see --help");
-    registerMrptAssociators();
     Config config = loadConfig(arguments);
     checkOutputFolder(config.output.directory, arguments.force);
     RawlogReader reader(config.rawlog, config.camera);

@@ -127,7 +127,10 @@ TEST(StrategyTable, StandsInTheDocumentation)
     std::ifstream file(MONOSLAM_SOURCE_DIR "/libs/docs/strategies.md");
     std::ostringstream text;
     text << file.rdbuf();
-    EXPECT_NE(text.str().find(strategyTable()), std::string::npos)
-        << "replace the table in libs/docs/strategies.md by what mono-slam --list-strategies says";
+    std::istringstream table(strategyTable());  // mono-slam adds rows of the libraries above
+    for (std::string row; std::getline(table, row);)
+        EXPECT_NE(text.str().find(row + "\n"), std::string::npos)
+            << row << ": replace the table in libs/docs/strategies.md by what mono-slam "
+            << "--list-strategies says";
 }
 }  // namespace monoslam::test
