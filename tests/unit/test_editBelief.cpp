@@ -55,6 +55,31 @@ TEST(EditBelief, UndelayedLandmarkHasTheDenselyPropagatedCovariance)
     }
 }
 
+TEST(EditBelief, SeveralUndelayedLandmarksAreTheSameAsOneAfterTheOther)
+{
+    std::mt19937 rng(6);
+    CameraParameters rolling;
+    rolling.readout_s = 0.03;
+    for (const Camera& camera : {Camera(), Camera(rolling)})
+    {
+        const UndelayedPrior prior{0.7, 0.2, 0.5};
+        const Belief before = randomBelief(rng, camera, kMixed);
+        std::vector<NewLandmark> corners;
+        Belief oneByOne = before;
+        for (LandmarkId id = 90; id < 98; ++id)
+        {
+            corners.push_back({id, {uniform(rng, 50, 590), uniform(rng, 50, 430)}});
+            oneByOne = addUndelayed(oneByOne, camera, id, corners.back().uv_px, prior).value();
+        }
+        const Belief atOnce = addUndelayed(before, camera, corners, prior);
+        EXPECT_LT((atOnce.x - oneByOne.x).norm(), kTolerance);
+        EXPECT_LT(largestDifference(atOnce.P, oneByOne.P), kTolerance);
+        EXPECT_NO_THROW(atOnce.checkInvariant());
+        for (const NewLandmark& corner : corners)
+            EXPECT_EQ(atOnce.find(corner.id), oneByOne.find(corner.id));
+    }
+}
+
 struct TwoViews
 {
     Camera camera;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "monoslam_models/rowPose.h"
 #include "resizeBelief.h"
@@ -11,6 +12,7 @@
 namespace monoslam
 {
 using camera_state::kPoseSize;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 Belief append(Belief belief, LandmarkId id, LandmarkKind kind, const Eigen::VectorXd& y,
               const Eigen::MatrixXd& P_yx, const Eigen::MatrixXd& P_yy)
@@ -28,19 +30,47 @@ Belief append(Belief belief, LandmarkId id, LandmarkKind kind, const Eigen::Vect
     return belief;
 }
 
+Belief addUndelayed(Belief belief, const Camera& camera, const std::vector<NewLandmark>& corners,
+                    const UndelayedPrior& prior)
+{
+    const double variance_px = prior.sigma_px * prior.sigma_px;
+    const Eigen::Vector3d R(variance_px, variance_px, prior.sigma_rho * prior.sigma_rho);
+    const Vector13d x_v = belief.camera();
+    std::vector<std::pair<UndelayedLandmark, Eigen::Matrix<double, 6, 13>>> born;
+    Eigen::Index n = belief.size();
+    for (const NewLandmark& corner : corners)
+    {
+        const RowPose row = poseAfter(x_v, rowTime_s(camera, corner.uv_px.y()));
+        const auto landmark = initializeUndelayed(camera, row.pose, corner.uv_px, prior.rho0);
+        if (!landmark) continue;
+        born.emplace_back(*landmark, landmark->J_y_pose * row.J_pose_xv);
+        belief.landmarks.push_back({corner.id, LandmarkKind::InverseDepth, n});
+        n += inverse_depth::kSize;
+    }
+    n = belief.size();
+    grow(belief, inverse_depth::kSize * static_cast<Eigen::Index>(born.size()));
+    for (const auto& [landmark, J_y_xv] : born)
+    {
+        belief.x.segment<6>(n) = landmark.y;
+        const Eigen::Matrix<double, 6, Eigen::Dynamic> P_yx =
+            J_y_xv * belief.P.topLeftCorner(camera_state::kSize, n);
+        const Matrix6d P_yy = P_yx.leftCols<camera_state::kSize>() * J_y_xv.transpose() +
+                              landmark.J_y_z * R.asDiagonal() * landmark.J_y_z.transpose();
+        belief.P.block(n, 0, 6, n) = P_yx;
+        belief.P.block(0, n, n, 6) = P_yx.transpose();
+        belief.P.block<6, 6>(n, n) = 0.5 * (P_yy + P_yy.transpose());
+        n += inverse_depth::kSize;
+    }
+    return belief;
+}
+
 std::optional<Belief> addUndelayed(Belief belief, const Camera& camera, LandmarkId id,
                                    const Eigen::Vector2d& uv_px, const UndelayedPrior& prior)
 {
-    const RowPose row = poseAfter(belief.camera(), rowTime_s(camera, uv_px.y()));
-    const auto born = initializeUndelayed(camera, row.pose, uv_px, prior.rho0);
-    if (!born) return std::nullopt;
-    const double variance_px = prior.sigma_px * prior.sigma_px;
-    const Eigen::Vector3d R(variance_px, variance_px, prior.sigma_rho * prior.sigma_rho);
-    const Eigen::Matrix<double, 6, 13> J_y_xv = born->J_y_pose * row.J_pose_xv;
-    const Eigen::MatrixXd P_yx = J_y_xv * belief.P.topRows<camera_state::kSize>();
-    const Eigen::MatrixXd P_yy = P_yx.leftCols<camera_state::kSize>() * J_y_xv.transpose() +
-                                 born->J_y_z * R.asDiagonal() * born->J_y_z.transpose();
-    return append(std::move(belief), id, LandmarkKind::InverseDepth, born->y, P_yx, P_yy);
+    const std::size_t before = belief.landmarks.size();
+    belief = addUndelayed(std::move(belief), camera, {{id, uv_px}}, prior);
+    if (belief.landmarks.size() == before) return std::nullopt;
+    return belief;
 }
 
 Belief addTriangulated(Belief belief, LandmarkId id, const Triangulation& triangulation,

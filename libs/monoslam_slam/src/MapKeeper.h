@@ -85,7 +85,8 @@ class MapKeeper
     [[nodiscard]] Mixture promoteCandidates(Mixture mixture, const FrameContext& frame);
     [[nodiscard]] bool mayEnter(const TrackedCorner& corner) const;
     [[nodiscard]] Mixture addNew(Mixture mixture, const FrameContext& frame);
-    [[nodiscard]] Mixture addUndelayedAt(Mixture mixture, const Eigen::Vector2d& uv,
+    [[nodiscard]] Mixture addUndelayedAt(Mixture mixture,
+                                         const std::vector<Eigen::Vector2d>& pixels,
                                          const UndelayedPrior& prior, const FrameContext& frame);
     [[nodiscard]] Mixture startCandidates(Mixture mixture,
                                           const std::vector<Eigen::Vector2d>& pixels,

@@ -12,18 +12,22 @@ constexpr int kAllCells = 1 << 20;
 constexpr double kWorthDetecting = 0.1;  // of the target: fewer missing landmarks can wait
 }  // namespace
 
-Mixture MapKeeper::addUndelayedAt(Mixture mixture, const Eigen::Vector2d& uv,
+Mixture MapKeeper::addUndelayedAt(Mixture mixture, const std::vector<Eigen::Vector2d>& pixels,
                                   const UndelayedPrior& prior, const FrameContext& frame)
 {
-    if (!camera_.unproject(uv)) return mixture;
-    const LandmarkId id = nextId_++;
+    std::vector<NewLandmark> corners;
+    for (const auto& uv : pixels)
+        if (camera_.unproject(uv)) corners.push_back({nextId_++, uv});
     for (auto& weighted : mixture)
-        weighted.belief = addUndelayed(std::move(weighted.belief), camera_, id, uv, prior).value();
-    LandmarkRecord record;
-    record.born = {frame.image, uv, best(mixture).pose(), {}};
-    record.bornFrame = record.lastSeen = frame.index;
-    enter(id, record, mixture);
-    ++added_;
+        weighted.belief = addUndelayed(std::move(weighted.belief), camera_, corners, prior);
+    for (const NewLandmark& corner : corners)
+    {
+        LandmarkRecord record;
+        record.born = {frame.image, corner.uv_px, best(mixture).pose(), {}};
+        record.bornFrame = record.lastSeen = frame.index;
+        enter(corner.id, record, mixture);
+        ++added_;
+    }
     return mixture;
 }
 
@@ -37,9 +41,9 @@ Mixture MapKeeper::addFirst(Mixture mixture, const FrameContext& frame, double r
     detection.maxCells = kAllCells;
     const auto corners = detectCorners(*frame.image, takenPixels(best(mixture)),
                                        options_.map.measured_target, detection, strongest_, rng_);
-    for (const Corner& corner : corners)
-        mixture = addUndelayedAt(std::move(mixture), corner.uv_px, prior, frame);
-    return mixture;
+    std::vector<Eigen::Vector2d> pixels;
+    for (const Corner& corner : corners) pixels.push_back(corner.uv_px);
+    return addUndelayedAt(std::move(mixture), pixels, prior, frame);
 }
 
 Mixture MapKeeper::addNew(Mixture mixture, const FrameContext& frame)
@@ -61,14 +65,10 @@ Mixture MapKeeper::addNew(Mixture mixture, const FrameContext& frame)
     const auto corners = detectCorners(*frame.image, takenPixels(best(mixture)),
                                        std::max(wanted, urgent), detection, strongest_, rng_);
     const UndelayedPrior prior = priorNow(best(mixture));
+    std::vector<Eigen::Vector2d> now;
     std::vector<Eigen::Vector2d> delayed;
-    for (const Corner& corner : corners)
-    {
-        if (urgent-- > 0)
-            mixture = addUndelayedAt(std::move(mixture), corner.uv_px, prior, frame);
-        else
-            delayed.push_back(corner.uv_px);
-    }
+    for (const Corner& corner : corners) (urgent-- > 0 ? now : delayed).push_back(corner.uv_px);
+    mixture = addUndelayedAt(std::move(mixture), now, prior, frame);
     return startCandidates(std::move(mixture), delayed, frame);
 }
 }  // namespace monoslam

@@ -21,8 +21,19 @@ struct UndelayedPrior
     double sigma_px = 0.3;
 };
 
-/** Appends an inverse-depth landmark seen now at uv (algorithms 2.3); nothing if the pixel cannot
- *  be unprojected. */
+struct NewLandmark
+{
+    LandmarkId id = -1;
+    Eigen::Vector2d uv_px;
+};
+
+/** Appends inverse-depth landmarks seen now (algorithms 2.3), from the pose of their pixels' rows;
+ *  those whose pixel cannot be unprojected are left out. The state grows once for all. */
+[[nodiscard]] MONOSLAM_FILTER_EXPORT Belief addUndelayed(Belief belief, const Camera& camera,
+                                                         const std::vector<NewLandmark>& corners,
+                                                         const UndelayedPrior& prior);
+
+/** One of them; nothing if its pixel cannot be unprojected. */
 [[nodiscard]] MONOSLAM_FILTER_EXPORT std::optional<Belief> addUndelayed(
     Belief belief, const Camera& camera, LandmarkId id, const Eigen::Vector2d& uv_px,
     const UndelayedPrior& prior);
