@@ -160,16 +160,19 @@ void apply(const Parameters& change, EdgeFit& fit)
 }
 }  // namespace
 
-std::optional<EdgeFit> fitEdges(const std::array<std::vector<EdgePixel>, 4>& sides)
+std::optional<EdgeFit> fitEdges(const std::array<std::vector<EdgePixel>, 4>& sides,
+                                const EdgeFit* before)
 {
     EdgeFit fit;
+    fit.noise_grey = 10.0;
+    if (before) fit = *before;
     for (int k = 0; k < 4; ++k)
     {
         const auto side = firstGuess(sides[k]);
         if (!side) return std::nullopt;
-        fit.sides[k] = *side;
+        if (!before) fit.sides[k] = *side;
+        fit.sides[k].offset_px = fit.sides[k].tilt_px = 0.0;
     }
-    fit.noise_grey = 10.0;
     for (int iteration = 0; iteration < 20; ++iteration)
     {
         const Parameters change = step(sides, fit);

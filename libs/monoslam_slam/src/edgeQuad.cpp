@@ -143,6 +143,7 @@ std::optional<EdgeQuad> refineEdgeQuad(const cv::Mat& image, const Camera& camer
                                        const Quad& rough_px)
 {
     EdgeQuad result{rough_px, {}};
+    std::optional<EdgeFit> fit;
     double reach_px = 5.0;
     for (int pass = 0; pass < 3; ++pass)
     {
@@ -150,7 +151,7 @@ std::optional<EdgeQuad> refineEdgeQuad(const cv::Mat& image, const Camera& camer
         if (!sides) return std::nullopt;
         std::array<std::vector<EdgePixel>, 4> pixels;
         for (int k = 0; k < 4; ++k) pixels[k] = pixelsOf(image, camera, (*sides)[k], reach_px);
-        const auto fit = fitEdges(pixels);
+        fit = fitEdges(pixels, fit ? &*fit : nullptr);
         if (!fit || !straightEdges(*fit, reach_px)) return std::nullopt;
         const auto corners_px = cornersOf(*sides, *fit, camera);
         if (!corners_px) return std::nullopt;
