@@ -39,6 +39,14 @@ void apply(const std::string& setting, CConfigFileMemory& file)
     file.write(name.substr(0, dot), name.substr(dot + 1), setting.substr(equals + 1));
 }
 
+[[noreturn]] void rejectSection(const std::string& section, const std::set<std::string>& known,
+                                const std::string& fileName)
+{
+    std::string list;
+    for (const auto& name : known) list.append(" ").append(name);
+    throw std::invalid_argument(fileName + ": unknown section [" + section + "]; known:" + list);
+}
+
 void rejectUnknownSections(const CConfigFileMemory& file, const std::string& fileName)
 {
     std::set<std::string> known{"rawlog",         "camera", "output",       "motion", "search",
@@ -50,13 +58,7 @@ void rejectUnknownSections(const CConfigFileMemory& file, const std::string& fil
     known.insert(shipped.begin(), shipped.end());
     file.getAllSections(present);
     for (const auto& section : present)
-    {
-        if (known.count(section)) continue;
-        std::string list;
-        for (const auto& name : known) list += " " + name;
-        throw std::invalid_argument(fileName + ": unknown section [" + section +
-                                    "]; known:" + list);
-    }
+        if (known.count(section) == 0) rejectSection(section, known, fileName);
 }
 
 /** The chosen strategy; the sections of the others are checked by making them as well. */

@@ -12,6 +12,8 @@ class Progress
    public:
     explicit Progress(long total);
     ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
 
     void show(long done, const std::string& state);
 

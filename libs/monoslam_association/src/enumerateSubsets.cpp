@@ -41,7 +41,7 @@ class PrintedRecursion
     };
 
     /** Best of the subsets that begin as \p hyp and lack \p toRemove pairs from \p decided on. */
-    Hypothesis best(std::vector<bool> hyp, Eigen::Index decided, Eigen::Index toRemove)
+    Hypothesis best(const std::vector<bool>& hyp, Eigen::Index decided, Eigen::Index toRemove)
     {
         ++result_.nodes;
         Hypothesis bestKnown{hyp, d2(hyp)};
@@ -55,7 +55,7 @@ class PrintedRecursion
         {
             std::vector<bool> child = hyp;
             child[static_cast<std::size_t>(r)] = false;
-            Hypothesis below = best(std::move(child), r + 1, toRemove - 1);
+            Hypothesis below = best(child, r + 1, toRemove - 1);
             if (below.d2 <= bestKnown.d2) bestKnown = std::move(below);
         }
         return bestKnown;

@@ -63,11 +63,11 @@ LandmarkId SyntheticWorld::addLandmarkInView(const Vector13d& x_v, double rho, d
     std::uniform_real_distribution<double> u(border_px, c.width_px - 1.0 - border_px);
     std::uniform_real_distribution<double> v(border_px, c.height_px - 1.0 - border_px);
     const double u_px = u(rng_);
-    const auto ray_c = camera_.unproject({u_px, v(rng_)});
-    if (!ray_c || !(rho > 0.0))
+    const auto ray = camera_.unproject({u_px, v(rng_)});
+    if (!ray || !(rho > 0.0))
         throw std::invalid_argument("addLandmarkInView: rho <= 0 or a pixel beyond the lens model");
     const Eigen::Vector4d q_wc = x_v.segment<4>(camera_state::kOrientation);
-    return addLandmark(x_v.head<3>() + rotate(q_wc, ray_c->normalized()) / rho);
+    return addLandmark(x_v.head<3>() + rotate(q_wc, ray->normalized()) / rho);
 }
 
 const Eigen::Vector3d& SyntheticWorld::position(LandmarkId id) const

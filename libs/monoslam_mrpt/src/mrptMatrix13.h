@@ -9,6 +9,7 @@
  *  whose vehicle has 13 numbers does not link without them. */
 namespace mrpt::math
 {
+// NOLINTBEGIN(readability-identifier-naming): the names are MRPT's
 template <>
 inline std::string MatrixVectorBase<double, CMatrixFixed<double, 13, 13>>::asString() const
 {
@@ -32,4 +33,5 @@ inline double MatrixVectorBase<double, CMatrixFixed<double, 13, 13>>::sum_abs() 
 {
     return mvbDerived().asEigen().cwiseAbs().sum();
 }
+// NOLINTEND(readability-identifier-naming)
 }  // namespace mrpt::math

@@ -67,9 +67,9 @@ void RunSummary::add(const FrameReport& report, double decode_ms)
     if (!report.hasPose()) return;
     readouts_s_.push_back(report.readout_s);
     const Eigen::Vector3d r_wc = report.x_v.head<3>();
-    if (firstPose_ >= 0) pathLength_m_ += (r_wc - last_r_wc_).norm();
+    if (firstPose_ >= 0) pathLength_m_ += (r_wc - lastPosition_).norm();
     if (firstPose_ < 0) firstPose_ = report.index;
-    last_r_wc_ = r_wc;
+    lastPosition_ = r_wc;
 }
 
 void RunSummary::setMap(const std::vector<MapLandmark>& map)

@@ -32,12 +32,12 @@ struct Response
     double t;
     [[nodiscard]] double light(double v) const { return (1.0 - t) * v + t * srgbToLight(v); }
     [[nodiscard]] double slope(double v) const { return 1.0 - t + t * srgbSlope(v); }
-    [[nodiscard]] double grey(double light_, double guess) const
+    [[nodiscard]] double grey(double wanted, double guess) const
     {
         double v = guess;
         for (int i = 0; i < 8; ++i)
         {
-            const double step = (light_ - light(v)) / slope(v);
+            const double step = (wanted - light(v)) / slope(v);
             v += std::clamp(step, -0.3, 0.3);
             if (std::abs(step) < 1e-7) break;
         }

@@ -22,6 +22,8 @@ class MONOSLAM_MRPT_EXPORT RawlogObjectStream
    public:
     explicit RawlogObjectStream(const std::string& file);
     ~RawlogObjectStream();
+    RawlogObjectStream(const RawlogObjectStream&) = delete;
+    RawlogObjectStream& operator=(const RawlogObjectStream&) = delete;
 
     /** \return null at the end of the file */
     mrpt::serialization::CSerializable::Ptr next();

@@ -42,6 +42,8 @@ class MONOSLAM_MRPT_EXPORT RawlogReader
      *  calibration */
     RawlogReader(RawlogOptions rawlog, CameraOptions camera);
     ~RawlogReader();
+    RawlogReader(const RawlogReader&) = delete;
+    RawlogReader& operator=(const RawlogReader&) = delete;
 
     /** The next frame, or nothing at the end.
      *  \throw std::runtime_error naming file and frame: image missing, undecodable, of another

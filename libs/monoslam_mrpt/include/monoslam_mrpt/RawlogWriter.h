@@ -33,6 +33,8 @@ class MONOSLAM_MRPT_EXPORT RawlogWriter
     /** \throw std::runtime_error if the file exists and force is not set, or cannot be written */
     explicit RawlogWriter(RawlogWriterOptions options);
     ~RawlogWriter();
+    RawlogWriter(const RawlogWriter&) = delete;
+    RawlogWriter& operator=(const RawlogWriter&) = delete;
 
     /** Copies a JPEG or PNG as it is; converts any other format to PNG.
      *  \throw std::runtime_error if it cannot be decoded or is not of the camera's size */

@@ -50,7 +50,7 @@ class MONOSLAM_SLAM_EXPORT RunSummary
     double pathLength_m_ = 0.0;
     double start_s_ = 0.0;
     double end_s_ = 0.0;
-    Eigen::Vector3d last_r_wc_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d lastPosition_ = Eigen::Vector3d::Zero();
     std::string lastState_;
 };
 }  // namespace monoslam

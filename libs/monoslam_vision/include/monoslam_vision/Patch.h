@@ -51,7 +51,8 @@ struct Patch
     [[nodiscard]] float at(int dx, int dy) const
     {
         const int ringSide = side() + 2;
-        return grey[static_cast<std::size_t>((dy + half_px + 1) * ringSide + dx + half_px + 1)];
+        const int index = (dy + half_px + 1) * ringSide + dx + half_px + 1;
+        return grey[static_cast<std::size_t>(index)];
     }
 };
 
