@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <stdexcept>
 
 #include "monoslam_association/AssignmentProblem.h"
 #include "subsetProblems.h"
@@ -28,6 +29,9 @@ struct AssignmentShape
  *  them, as the joint covariance says, in random order, the wrong ones displaced within the gate. */
 inline AssignmentProblem randomAssignment(const AssignmentShape& shape, std::mt19937& rng)
 {
+    if (shape.wrong > shape.items || shape.items > shape.predictions)
+        throw std::invalid_argument(
+            "randomAssignment: an item without a prediction to be drawn about");
     const Eigen::Index O = shape.dimension, n = O * shape.predictions;
     const Eigen::MatrixXd J = 4.0 * gaussian(n, 3, rng);
     const Eigen::VectorXd h = 9.0 * gaussian(n, 1, rng);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "assignmentProblems.h"
 #include "monoslam_association/ConditionalPairs.h"
 #include "monoslam_association/assignByJcbb.h"
@@ -16,7 +18,9 @@ constexpr long kNoCap = 1000000000;
 
 AssignmentProblem smallProblem(int run, std::mt19937& rng)
 {
-    const AssignmentShape shape{run % 3 + 1, 3 + run % 4, 3 + run % 3, run % 4, 0.99, run % 5 == 0};
+    const int predictions = 3 + run % 4;
+    const AssignmentShape shape{run % 3 + 1, predictions, std::min(3 + run % 3, predictions),
+                                run % 4,     0.99,        run % 5 == 0};
     return randomAssignment(shape, rng);
 }
 
