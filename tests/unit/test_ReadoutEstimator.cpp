@@ -41,8 +41,8 @@ Scene sceneBefore(const Camera& camera, std::mt19937& rng)
         Association association;
         association.id = id;
         association.fate = Fate::Matched;
-        association.z = *projectPixel(camera, x_v, LandmarkKind::Point, p_w) +
-                        normalVector<2>(rng, 0.2);
+        association.z =
+            *projectPixel(camera, x_v, LandmarkKind::Point, p_w) + normalVector<2>(rng, 0.2);
         scene.seen.push_back(association);
     }
     return scene;
