@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "monoslam_support/ConfigSection.h"
+#include "monoslam_support/readIni.h"
 
 namespace monoslam
 {
@@ -37,28 +36,6 @@ const std::map<std::string, std::set<std::string>> kOtherKeys = {
      {"method", "verbosity_level", "enable_profiler", "use_analytic_transition_jacobian",
       "use_analytic_observation_jacobian", "debug_verify_analytic_jacobians",
       "debug_verify_analytic_jacobians_threshold"}}};
-
-std::string readText(const std::string& fileName)
-{
-    std::ifstream stream(fileName);
-    if (!fs::is_regular_file(fileName) || !stream)
-        throw std::runtime_error(fileName + ": no such configuration file");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-/** "a.b.key=value" is key "key" of section "a.b". */
-void apply(const std::string& setting, CConfigFileMemory& file)
-{
-    const auto equals = setting.find('=');
-    const std::string name = setting.substr(0, equals);
-    const auto dot = name.rfind('.');
-    if (equals == std::string::npos || dot == std::string::npos || dot == 0 ||
-        dot + 1 == name.size())
-        throw std::invalid_argument("--set " + setting + ": expected section.key=value");
-    file.write(name.substr(0, dot), name.substr(dot + 1), setting.substr(equals + 1));
-}
 
 void readApplication(Config& config, const std::string& fileName)
 {
@@ -148,8 +125,7 @@ void checkInputs(const Config& config)
 Config loadConfig(const Arguments& arguments)
 {
     Config config;
-    config.ini.setContent(readText(arguments.configFile));
-    for (const auto& setting : arguments.settings) apply(setting, config.ini);
+    readIni(arguments.configFile, arguments.settings, config.ini);
     rejectUnknownSections(config.ini, arguments.configFile);
     readApplication(config, arguments.configFile);
     checkMrptSections(config, arguments.configFile);

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "monoslam_support/ConfigSection.h"
+#include "monoslam_support/readIni.h"
 
 namespace monoslam
 {
@@ -17,28 +16,6 @@ using mrpt::config::CConfigFileMemory;
 
 namespace
 {
-std::string readText(const std::string& fileName)
-{
-    std::ifstream stream(fileName);
-    if (!fs::is_regular_file(fileName) || !stream)
-        throw std::runtime_error(fileName + ": no such configuration file");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-/** "a.b.key=value" is key "key" of section "a.b". */
-void apply(const std::string& setting, CConfigFileMemory& file)
-{
-    const auto equals = setting.find('=');
-    const std::string name = setting.substr(0, equals);
-    const auto dot = name.rfind('.');
-    if (equals == std::string::npos || dot == std::string::npos || dot == 0 ||
-        dot + 1 == name.size())
-        throw std::invalid_argument("--set " + setting + ": expected section.key=value");
-    file.write(name.substr(0, dot), name.substr(dot + 1), setting.substr(equals + 1));
-}
-
 [[noreturn]] void rejectSection(const std::string& section, const std::set<std::string>& known,
                                 const std::string& fileName)
 {
@@ -111,8 +88,7 @@ Config loadConfig(const Arguments& arguments)
     Config config;
     config.fileName = arguments.configFile;
     CConfigFileMemory file;
-    file.setContent(readText(config.fileName));
-    for (const auto& setting : arguments.settings) apply(setting, file);
+    readIni(config.fileName, arguments.settings, file);
     rejectUnknownSections(file, config.fileName);
     const auto section = [&](const char* name)
     { return ConfigSection(file, name, config.fileName); };

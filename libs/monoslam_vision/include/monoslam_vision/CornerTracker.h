@@ -36,8 +36,7 @@ struct CornerTrackerOptions
     double minScore = 0.8;
     int half_px = 6;
     double minHalfWidth_px = 3.0;  ///< of the band along the ray
-    double maxHalfWidth_px = 12.0;
-    double maxReach_px = 40.0;  ///< half length of the band
+    double maxReach_px = 40.0;     ///< half length of the band
     int maxMissedInRow = 3;
     int maxAge_frames = 300;
     double uniqueness = 0.05;  ///< the best peak beats one 5 px away by this much

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "monoslam_support/export.h"
+
+namespace mrpt::config
+{
+class CConfigFileMemory;
+}
+
+namespace monoslam
+{
+/** Replaces the content of \p ini by that of a file, then by the settings of a command line.
+ *  \param settings "section.key=value" each; the name is split at its last dot
+ *  \throw std::runtime_error if the file cannot be read, std::invalid_argument naming a setting
+ *  without section, key or "=" */
+MONOSLAM_SUPPORT_EXPORT void readIni(const std::string& fileName,
+                                     const std::vector<std::string>& settings,
+                                     mrpt::config::CConfigFileMemory& ini);
+}  // namespace monoslam
