@@ -10,7 +10,7 @@ namespace monoslam
  *
  * An ini names them NN, JCBB, HOHCT, MHDA, NN_MRPT, JCBB_MRPT, or as here. */
 // NOLINTBEGIN(readability-identifier-naming): MRPT's names, so that a change of namespace suffices
-enum DataAssociationMethod
+enum DataAssociationMethod : int  // MRPT's reader makes any number one, known or not
 {
     assocNN = mrpt::slam::assocNN,      ///< nearest neighbours
     assocJCBB = mrpt::slam::assocJCBB,  ///< joint compatibility branch and bound, with its test
