@@ -29,6 +29,7 @@ struct SimulatedStartOptions
     double sigma_px = 0.3;
     double wildShare = 0.0;             ///< of the pixels after the first frame, which are anywhere
     Fate fate = Fate::Matched;          ///< of every pixel
+    int inViewAtTheEnd = 40;            ///< of the landmarks, from the tenth frame on
     std::vector<LandmarkId> wandering;  ///< these move half a pixel a frame across the others
     StartOptions start = {{4.0}};
 };
@@ -69,15 +70,15 @@ class SimulatedStart
     }
 
     /** Frame after frame until the window gives a belief; nothing if it does not within 100. */
-    std::optional<Belief> run()
+    std::optional<RefinedStart> run()
     {
-        std::optional<Belief> refined;
+        std::optional<RefinedStart> refined;
         while (!refined && frame_ + 1 < 100) refined = step();
         return refined;
     }
 
     /** One frame. \return what the window makes of it */
-    std::optional<Belief> step()
+    std::optional<RefinedStart> step()
     {
         ++frame_;
         belief_.x.head<7>() = guessedPose(frame_);
@@ -148,7 +149,8 @@ class SimulatedStart
     std::vector<Association> see()
     {
         std::vector<Association> seen;
-        for (LandmarkId id = 0; id < kLandmarks; ++id)
+        const int count = frame_ < 10 ? kLandmarks : options_.inViewAtTheEnd;
+        for (LandmarkId id = 0; id < count; ++id)
         {
             Association association;
             association.id = id;

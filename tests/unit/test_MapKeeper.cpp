@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "keptMap.h"
+#include "monoslam_models/projectLandmark.h"
 
 namespace monoslam
 {
@@ -120,6 +121,31 @@ TEST(MapKeeper, ForgetsWhatTheBeliefHasLost)
     EXPECT_EQ(kept.keeper.records().size(), ids.size() - 2);
     EXPECT_EQ(kept.keeper.records().count(ids[5]), 0U);
     EXPECT_EQ(kept.keeper.removed(), 2);
+}
+
+TEST(MapKeeper, WhatANewEstimateOfTheMapLeftOutEntersAgainWhereItWasMatched)
+{
+    KeptMap kept(fewLandmarks());
+    const auto ids = kept.addFirst();
+    const Belief smaller = removeLandmarks(kept.belief(), {ids[0], ids[1], ids[2], ids[5]});
+    std::vector<Association> associations;
+    for (const LandmarkId id : {ids[0], ids[1], ids[2], ids[3]})
+    {
+        Association association;
+        association.id = id;
+        association.fate = id == ids[1] ? Fate::Rejected : Fate::Matched;
+        association.z = {50.0 + 10.0 * static_cast<double>(id), 60.0};
+        associations.push_back(association);
+    }
+    const Belief again = kept.keeper.addAgain(smaller, associations, {ids[2]});
+    again.checkInvariant();
+    EXPECT_EQ(again.landmarks.size(), smaller.landmarks.size() + 1);
+    ASSERT_GE(again.find(ids[0]), 0);
+    const LandmarkSlot& slot = again.landmarks[static_cast<std::size_t>(again.find(ids[0]))];
+    const auto pixel = projectPixel(keptCamera(), again.camera(), slot.kind,
+                                    again.x.segment(slot.offset, slot.size()));
+    ASSERT_TRUE(pixel);
+    EXPECT_LT((*pixel - associations[0].z).norm(), 1e-9);
 }
 
 TEST(MapKeeper, ForgetsItsCandidatesWithTheBeliefTheyWereSeenFrom)

@@ -57,17 +57,18 @@ TEST(StartWindow, SetsAMirroredStartRight)
         SimulatedStart start(options, seed);
         const auto refined = start.run();
         ASSERT_TRUE(refined) << seed;
-        refined->checkInvariant();
+        refined->belief.checkInvariant();
         EXPECT_GT(start.window().lastInlierRatio(), 0.98);
-        EXPECT_EQ(refined->landmarks.size(), SimulatedStart::kLandmarks);
-        const double s = scaleOf(*refined, start.frame());
-        const Vector6d e = errorOf(*refined, start.frame(), s);
-        EXPECT_GT(refined->x(0), 0.0);  // the guess went to the left
-        EXPECT_LT(e.head<3>().norm(), 0.03 * refined->x.head<3>().norm()) << seed;
-        const auto squaredSigmas = nees(e, poseErrorCovariance(refined->pose(), refined->P));
+        EXPECT_EQ(refined->belief.landmarks.size(), SimulatedStart::kLandmarks);
+        const double s = scaleOf(refined->belief, start.frame());
+        const Vector6d e = errorOf(refined->belief, start.frame(), s);
+        EXPECT_GT(refined->belief.x(0), 0.0);  // the guess went to the left
+        EXPECT_LT(e.head<3>().norm(), 0.03 * refined->belief.x.head<3>().norm()) << seed;
+        const auto squaredSigmas =
+            nees(e, poseErrorCovariance(refined->belief.pose(), refined->belief.P));
         ASSERT_TRUE(squaredSigmas);
         EXPECT_LT(*squaredSigmas, 27.9) << seed;  // chi2(6, 0.9999)
-        EXPECT_LT(worstLandmark(start, *refined, s), 0.1) << seed;
+        EXPECT_LT(worstLandmark(start, refined->belief, s), 0.1) << seed;
     }
 }
 
@@ -82,15 +83,15 @@ TEST(StartWindow, KnowsHowWellItKnowsPoseAndVelocity)
         SimulatedStart start({}, seed);
         const auto refined = start.run();
         ASSERT_TRUE(refined) << seed;
-        const double s = scaleOf(*refined, start.frame());
-        const Vector6d e = errorOf(*refined, start.frame(), s);
-        const Matrix6d P = poseErrorCovariance(refined->pose(), refined->P);
+        const double s = scaleOf(refined->belief, start.frame());
+        const Vector6d e = errorOf(refined->belief, start.frame(), s);
+        const Matrix6d P = poseErrorCovariance(refined->belief.pose(), refined->belief.P);
         pose += nees(e, P).value();
         orientation += e.tail<3>().dot(P.bottomRightCorner<3, 3>().ldlt().solve(e.tail<3>()));
-        const Vector6d v = refined->x.segment<6>(camera_state::kVelocity) -
+        const Vector6d v = refined->belief.x.segment<6>(camera_state::kVelocity) -
                            SimulatedStart::meanVelocity(start.frame(), s);
         velocity +=
-            nees(v, refined->P.block<6, 6>(camera_state::kVelocity, camera_state::kVelocity))
+            nees(v, refined->belief.P.block<6, 6>(camera_state::kVelocity, camera_state::kVelocity))
                 .value();
     }
     // The scale is taken from the estimate itself: five of the six numbers are free.
@@ -112,13 +113,13 @@ TEST(StartWindow, KnownPointsGiveTheScale)
         SimulatedStart start(options, 3);
         const auto refined = start.run();
         ASSERT_TRUE(refined);
-        EXPECT_LT(errorOf(*refined, start.frame(), 1.0).head<3>().norm(), 0.01);
-        EXPECT_LT(worstLandmark(start, *refined, 1.0), 0.1);
+        EXPECT_LT(errorOf(refined->belief, start.frame(), 1.0).head<3>().norm(), 0.01);
+        EXPECT_LT(worstLandmark(start, refined->belief, 1.0), 0.1);
         for (LandmarkId id = 0; id < options.known; ++id)
         {
-            const Eigen::Index index = refined->find(id);
+            const Eigen::Index index = refined->belief.find(id);
             ASSERT_GE(index, 0);
-            EXPECT_EQ(refined->landmarks[static_cast<std::size_t>(index)].kind,
+            EXPECT_EQ(refined->belief.landmarks[static_cast<std::size_t>(index)].kind,
                       LandmarkKind::Point);
         }
     }
@@ -141,7 +142,7 @@ TEST(StartWindow, BelievesPixelsMoreThanTheFiltersVerdictOnThem)
     SimulatedStart rejected(options, 2);
     const auto refined = rejected.run();
     ASSERT_TRUE(refined);
-    EXPECT_EQ(refined->landmarks.size(), SimulatedStart::kLandmarks);
+    EXPECT_EQ(refined->belief.landmarks.size(), SimulatedStart::kLandmarks);
     options.fate = Fate::NotFound;
     SimulatedStart unseen(options, 2);
     EXPECT_FALSE(unseen.run());
@@ -154,9 +155,21 @@ TEST(StartWindow, DropsLandmarksThatDoNotStandStill)
     SimulatedStart start(options, 4);
     const auto refined = start.run();
     ASSERT_TRUE(refined);
-    EXPECT_EQ(refined->landmarks.size(), SimulatedStart::kLandmarks - options.wandering.size());
-    for (const LandmarkId id : options.wandering) EXPECT_EQ(refined->find(id), -1);
-    EXPECT_LT(worstLandmark(start, *refined, scaleOf(*refined, start.frame())), 0.1);
+    EXPECT_EQ(refined->belief.landmarks.size(),
+              SimulatedStart::kLandmarks - options.wandering.size());
+    for (const LandmarkId id : options.wandering) EXPECT_EQ(refined->belief.find(id), -1);
+    EXPECT_LT(worstLandmark(start, refined->belief, scaleOf(refined->belief, start.frame())), 0.1);
+}
+
+TEST(StartWindow, ClosesWhenTheCameraHasTurnedAwayFromWhatItKnows)
+{
+    SimulatedStartOptions options;
+    options.inViewAtTheEnd = 25;
+    EXPECT_TRUE(SimulatedStart(options, 5).run());
+    options.inViewAtTheEnd = 10;
+    SimulatedStart turning(options, 5);
+    EXPECT_FALSE(turning.run());
+    EXPECT_FALSE(turning.window().open());
 }
 
 TEST(StartWindow, EstimatesAnewAtEachThresholdAndThenCloses)

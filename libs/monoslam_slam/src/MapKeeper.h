@@ -56,6 +56,12 @@ class MapKeeper
      *  every landmark that is not in it, and all candidates. */
     void keepOnly(const Belief& belief);
 
+    /** A map estimated anew knows what was seen often: the rest of what was matched in this frame
+     *  enters it again, undelayed, where it was seen, unless it is distrusted. Without it a camera
+     *  that turns away from its first view would face an empty part of the map. */
+    [[nodiscard]] Belief addAgain(Belief belief, const std::vector<Association>& associations,
+                                  const std::vector<LandmarkId>& distrusted) const;
+
     /** Median inverse distance of the landmarks that have been seen often, else rho0. */
     [[nodiscard]] double medianRho(const Belief& belief) const { return priorNow(belief).rho0; }
 

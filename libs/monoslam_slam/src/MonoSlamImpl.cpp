@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "LandmarkFinder.h"
+#include "dismissMatches.h"
 #include "postFitResiduals.h"
 #include "startBelief.h"
 
@@ -57,7 +58,8 @@ void MonoSlam::Impl::restart(const FrameContext& context)
 /** Search, association and update from the predicted beliefs. */
 Correction MonoSlam::Impl::correct(const FrameContext& context)
 {
-    const Belief expected = best(mixture);
+    const std::size_t expectedIndex = bestIndex(mixture);
+    Belief expected = mixture[expectedIndex].belief;
     SearchOptions search = options.search;
     search.sigma_floor_px = noise.floor_px();
     LandmarkFinder finder(camera, *context.image, search, keeper.records(), expected);
@@ -74,6 +76,8 @@ Correction MonoSlam::Impl::correct(const FrameContext& context)
     view.search = [&](const SearchRegion& region) { return finder.search(region); };
     view.engine = engine;
     Correction correction = associator->correct(std::move(mixture), view, rng);
+    if (mayBeChance(correction.associations, options.map))
+        return dismissMatches(std::move(correction), std::move(expected), expectedIndex);
     keeper.learnSlopes(correction.associations, finder);
     return correction;
 }
@@ -121,7 +125,9 @@ void MonoSlam::Impl::refineStart(const FrameContext& context, const FrameReport&
     auto refined = window->refine(belief, keeper.records(), options.motion);
     if (refined)
     {
-        mixture = {{std::move(*refined), 0.0}};
+        mixture = {
+            {keeper.addAgain(std::move(refined->belief), report.associations, refined->distrusted),
+             0.0}};
         keeper.keepOnly(best(mixture));
     }
     keeper.setStarting(window->open());

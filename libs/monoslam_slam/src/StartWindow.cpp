@@ -17,6 +17,7 @@ namespace
 constexpr double kClearlyBetter = 0.9;  ///< cost of another solution over that of the filter's own
 constexpr double kDegree = 0.017453292519943295;
 constexpr int kLeastLandmarks = 8;
+constexpr long kLeastSeenLast = 15;  ///< landmarks that hold the last view in the new map
 constexpr std::size_t kLeastViews = 4;
 constexpr std::size_t kFirstLook = 8;
 
@@ -26,6 +27,20 @@ double inlierRatio(const SmoothedWindow& smoothed)
     return static_cast<double>(good) / static_cast<double>(smoothed.inlier.size());
 }
 
+/** Pixels of the last view that its landmarks kept explain. */
+long seenLast(const Window& window, const WindowEstimate& estimate)
+{
+    const auto last = static_cast<Eigen::Index>(window.poses.size()) - 1;
+    long count = 0;
+    for (std::size_t i = 0; i < window.observations.size(); ++i)
+    {
+        const WindowObservation& seen = window.observations[i];
+        if (seen.view == last && estimate.smoothed.inlier[i] &&
+            estimate.keep[static_cast<std::size_t>(seen.landmark)])
+            ++count;
+    }
+    return count;
+}
 }  // namespace
 
 void StartWindow::record(double t_s, long frame, const Belief& belief,
@@ -108,8 +123,9 @@ SmoothedWindow StartWindow::smooth(const Window& window) const
     return found;
 }
 
-std::optional<Belief> StartWindow::refine(const Belief& belief, const LandmarkRecords& records,
-                                          const ConstantVelocityOptions& motion)
+std::optional<RefinedStart> StartWindow::refine(const Belief& belief,
+                                                const LandmarkRecords& records,
+                                                const ConstantVelocityOptions& motion)
 {
     if (!open_ || views_.size() < kLeastViews) return std::nullopt;
     if (static_cast<int>(views_.size()) > options_.max_frames)
@@ -133,12 +149,21 @@ std::optional<Belief> StartWindow::refine(const Belief& belief, const LandmarkRe
     estimate.keep = trusted(problem.window, smoothed, options_);
     if (std::count(estimate.keep.begin(), estimate.keep.end(), true) < kLeastLandmarks)
         return std::nullopt;
+    if (seenLast(problem.window, estimate) < kLeastSeenLast)
+    {
+        open_ = false;  // the camera has turned away: what the window knows is behind it
+        return std::nullopt;
+    }
+    RefinedStart refined;
+    for (std::size_t l = 0; l < estimate.keep.size(); ++l)
+        if (!estimate.keep[l]) refined.distrusted.push_back(problem.ids[l]);
     for (std::size_t v = 0; v < chosen.size(); ++v) views_[chosen[v]].pose = smoothed.poses[v];
     estimate.ids = std::move(problem.ids);
     estimate.share =
         static_cast<double>(smoothed.poses.size()) / static_cast<double>(views_.size());
     estimate.dt_s = views_.back().t_s - views_[views_.size() - 2].t_s;
     estimate.metric = metric_;
-    return beliefFromWindow(estimate, motion);
+    refined.belief = beliefFromWindow(estimate, motion);
+    return refined;
 }
 }  // namespace monoslam

@@ -13,6 +13,13 @@
 
 namespace monoslam
 {
+/** What the first seconds say when they are all looked at at once. */
+struct RefinedStart
+{
+    Belief belief;
+    std::vector<LandmarkId> distrusted;  ///< landmarks that explain too few of their pixels
+};
+
 /** The first seconds of a run, kept until their parallax fixes the structure.
  *
  * An EKF that starts from unknown depths linearises at its worst estimates and keeps what it
@@ -36,8 +43,9 @@ class StartWindow
                 double sigma_px);
 
     /** The belief estimated anew, if a threshold has been passed; closes after the last one. */
-    [[nodiscard]] std::optional<Belief> refine(const Belief& belief, const LandmarkRecords& records,
-                                               const ConstantVelocityOptions& motion);
+    [[nodiscard]] std::optional<RefinedStart> refine(const Belief& belief,
+                                                     const LandmarkRecords& records,
+                                                     const ConstantVelocityOptions& motion);
 
     /** Share of the window's pixels that the last estimate explains; low after a wrong start. */
     [[nodiscard]] double lastInlierRatio() const { return lastInlierRatio_; }

@@ -46,6 +46,22 @@ Mixture MapKeeper::addFirst(Mixture mixture, const FrameContext& frame, double r
     return addUndelayedAt(std::move(mixture), pixels, prior, frame);
 }
 
+Belief MapKeeper::addAgain(Belief belief, const std::vector<Association>& associations,
+                           const std::vector<LandmarkId>& distrusted) const
+{
+    std::vector<NewLandmark> again;
+    for (const Association& association : associations)
+    {
+        const LandmarkId id = association.id;
+        if (association.fate != Fate::Matched || records_.count(id) == 0) continue;
+        if (belief.find(id) >= 0) continue;
+        if (std::find(distrusted.begin(), distrusted.end(), id) == distrusted.end())
+            again.push_back({id, association.z});
+    }
+    const UndelayedPrior prior = priorNow(belief);
+    return addUndelayed(std::move(belief), camera_, again, prior);
+}
+
 Mixture MapKeeper::addNew(Mixture mixture, const FrameContext& frame)
 {
     const InitializationOptions& rule = options_.initialization;

@@ -34,7 +34,7 @@ struct MONOSLAM_SLAM_EXPORT InitializationOptions
     int max_clones = 8;
     int max_candidates = 25;
     double sigma_v = 0.3;            ///< first velocity [unit/s]
-    double sigma_omega_radps = 0.5;  ///< first angular velocity
+    double sigma_omega_radps = 1.0;  ///< first angular velocity
 
     static InitializationOptions from(ConfigSection section);
 };

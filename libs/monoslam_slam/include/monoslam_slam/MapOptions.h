@@ -18,7 +18,7 @@ struct MONOSLAM_SLAM_EXPORT MapOptions
     int strikes = 3;                ///< rejections within strike_frames that remove a landmark
     int strike_frames = 10;
     double convert_linearity = 0.02;       ///< inverse depth to point below this index; 0 = never
-    int min_matched = 5;                   ///< fewer: the frame only predicts
+    int min_matched = 5;                   ///< fewer: degraded; the frame may only predict
     double degraded_rejected_share = 0.3;  ///< of the pairs, running mean, beyond which the state
                                            ///< says degraded
     double degraded_residual_px = 0.75;    ///< the same for the noise that the residuals show
