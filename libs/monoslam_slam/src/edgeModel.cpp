@@ -11,33 +11,40 @@ namespace
 {
 constexpr int kSideSize = 6;
 constexpr int kSize = 4 * kSideSize + 1;
-constexpr double kConverged = 2e-4;  ///< [px] and grey levels / 255
 using Parameters = Eigen::Matrix<double, kSize, 1>;
 using Normal = Eigen::Matrix<double, kSize, kSize>;
 using SideGradient = Eigen::Matrix<double, kSideSize, 1>;
 
-double srgbToLight(double v)
+/** A light and how fast it grows with the grey value. */
+struct Light
 {
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
+    double value;
+    double slope;
+};
 
-double srgbSlope(double v)
+Light srgb(double v)
 {
-    return v <= 0.04045 ? 1.0 / 12.92 : 2.4 / 1.055 * std::pow((v + 0.055) / 1.055, 1.4);
+    if (v <= 0.04045) return {v / 12.92, 1.0 / 12.92};
+    const double base = (v + 0.055) / 1.055;
+    const double power = std::pow(base, 1.4);
+    return {base * power, 2.4 / 1.055 * power};
 }
 
 /** light = (1 - t) v + t srgb(v); v may leave [0, 1] a little, where it goes on straight. */
 struct Response
 {
     double t;
-    [[nodiscard]] double light(double v) const { return (1.0 - t) * v + t * srgbToLight(v); }
-    [[nodiscard]] double slope(double v) const { return 1.0 - t + t * srgbSlope(v); }
+    [[nodiscard]] Light at(double v, const Light& curve) const
+    {
+        return {(1.0 - t) * v + t * curve.value, 1.0 - t + t * curve.slope};
+    }
     [[nodiscard]] double grey(double wanted, double guess) const
     {
         double v = guess;
         for (int i = 0; i < 8; ++i)
         {
-            const double step = (wanted - light(v)) / slope(v);
+            const Light light = at(v, srgb(v));
+            const double step = (wanted - light.value) / light.slope;
             v += std::clamp(step, -0.3, 0.3);
             if (std::abs(step) < 1e-7) break;
         }
@@ -60,19 +67,21 @@ Modelled modelled(const EdgePixel& pixel, const SideFit& side, double t)
     const double Phi = 0.5 * std::erfc(-u * M_SQRT1_2);
     const double density = std::exp(-0.5 * u * u) / std::sqrt(2.0 * M_PI) / side.blur_px;
     const double outside = side.outside + side.shading * pixel.s;
-    const double lightIn = response.light(side.inside);
-    const double lightOut = response.light(outside);
-    const double light = lightIn + (lightOut - lightIn) * Phi;
+    const Light inCurve = srgb(side.inside);
+    const Light outCurve = srgb(outside);
+    const Light in = response.at(side.inside, inCurve);
+    const Light out = response.at(outside, outCurve);
     Modelled m;
-    m.grey = response.grey(light, side.inside + (outside - side.inside) * Phi);
-    const double J_v_light = 1.0 / response.slope(m.grey);
-    const double J_light_d = (lightOut - lightIn) * density;
-    const auto bend = [](double v) { return srgbToLight(v) - v; };
+    // The pixel itself is the best first guess of a model that fits it.
+    m.grey = response.grey(in.value + (out.value - in.value) * Phi, pixel.grey / 255.0);
+    const Light curve = srgb(m.grey);
+    const double J_v_light = 1.0 / response.at(m.grey, curve).slope;
+    const double J_light_d = (out.value - in.value) * density;
     m.gradient << -J_light_d * pixel.stretch, -J_light_d * pixel.stretch * pixel.s,
-        response.slope(side.inside) * (1.0 - Phi), response.slope(outside) * Phi,
-        response.slope(outside) * Phi * pixel.s, -J_light_d * u;
+        in.slope * (1.0 - Phi), out.slope * Phi, out.slope * Phi * pixel.s, -J_light_d * u;
     m.gradient *= J_v_light;
-    m.dt = J_v_light * ((1.0 - Phi) * bend(side.inside) + Phi * bend(outside) - bend(m.grey));
+    m.dt = J_v_light * ((1.0 - Phi) * (inCurve.value - side.inside) +
+                        Phi * (outCurve.value - outside) - (curve.value - m.grey));
     return m;
 }
 
@@ -161,7 +170,7 @@ void apply(const Parameters& change, EdgeFit& fit)
 }  // namespace
 
 std::optional<EdgeFit> fitEdges(const std::array<std::vector<EdgePixel>, 4>& sides,
-                                const EdgeFit* before)
+                                const EdgeFit* before, double tolerance)
 {
     EdgeFit fit;
     fit.noise_grey = 10.0;
@@ -178,7 +187,7 @@ std::optional<EdgeFit> fitEdges(const std::array<std::vector<EdgePixel>, 4>& sid
         const Parameters change = step(sides, fit);
         if (!change.allFinite()) return std::nullopt;
         apply(change, fit);
-        if (iteration > 3 && change.cwiseAbs().maxCoeff() < kConverged) break;
+        if (iteration > 1 && change.cwiseAbs().maxCoeff() < tolerance) break;
     }
     return fit;
 }

@@ -40,8 +40,9 @@ struct EdgeFit
 };
 
 /** Fits the four sides jointly, by robust Gauss-Newton steps from grey-level quantiles.
- *  \param before an earlier fit of the same sides, placed anew since: where to begin
+ *  \param before an earlier fit of the same sides, placed anew since: where to begin, or null
+ *  \param tolerance of the last step, [px] and grey levels / 255
  *  \return nothing if it does not converge or a side has too few pixels */
 [[nodiscard]] std::optional<EdgeFit> fitEdges(const std::array<std::vector<EdgePixel>, 4>& sides,
-                                              const EdgeFit* before = nullptr);
+                                              const EdgeFit* before, double tolerance);
 }  // namespace monoslam

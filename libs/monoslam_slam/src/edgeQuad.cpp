@@ -12,6 +12,9 @@ namespace
 {
 constexpr double kLeastContrast = 15.0 / 255.0;
 constexpr double kLeastSide_px = 12.0;
+constexpr int kPasses = 3;
+constexpr double kRough = 5e-3;      ///< [px] and grey levels / 255
+constexpr double kConverged = 2e-4;  ///< the same
 
 /** A line x . n = c in undistorted normalised coordinates, between two corners. */
 struct Side
@@ -60,9 +63,9 @@ std::optional<std::array<Side, 4>> sidesOf(const Camera& camera, const Quad& cor
 }
 
 /** Pixels that may lie within reach of the side: a thick curve through its projection. */
-cv::Mat maskOf(const Side& side, const Camera& camera, cv::Size size, double reach_px)
+std::vector<cv::Point> pixelsAlong(const Side& side, const Camera& camera, cv::Size size,
+                                   double reach_px)
 {
-    cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
     std::vector<cv::Point> curve;
     for (int i = 0; i <= 16; ++i)
     {
@@ -70,21 +73,31 @@ cv::Mat maskOf(const Side& side, const Camera& camera, cv::Size size, double rea
         const auto uv_px = camera.project(x.homogeneous());
         if (uv_px) curve.emplace_back(cvRound(uv_px->x()), cvRound(uv_px->y()));
     }
-    cv::polylines(mask, curve, false, 255, 2 * static_cast<int>(std::ceil(reach_px)) + 3);
-    return mask;
+    if (curve.empty()) return {};
+    const int width_px = 2 * static_cast<int>(std::ceil(reach_px)) + 3;
+    const cv::Rect tight = cv::boundingRect(curve);
+    const cv::Rect box = cv::Rect(tight.tl() - cv::Point(width_px, width_px),
+                                  tight.size() + cv::Size(2 * width_px, 2 * width_px)) &
+                         cv::Rect({}, size);
+    if (box.empty()) return {};
+    for (cv::Point& place : curve) place -= box.tl();
+    cv::Mat mask = cv::Mat::zeros(box.size(), CV_8UC1);
+    cv::polylines(mask, curve, false, 255, width_px);
+    std::vector<cv::Point> places;
+    cv::findNonZero(mask, places);
+    for (cv::Point& place : places) place += box.tl();
+    return places;
 }
 
 std::vector<EdgePixel> pixelsOf(const cv::Mat& image, const Camera& camera, const Side& side,
                                 double reach_px)
 {
-    std::vector<cv::Point> places;
-    cv::findNonZero(maskOf(side, camera, image.size(), reach_px), places);
     const Eigen::Vector2d along = (side.to - side.from).normalized();
     const double halfLength = 0.5 * (side.to - side.from).norm();
     const double margin_px = std::min(reach_px + 1.0, 0.2 * side.length_px);
     const double s_max = 1.0 - 2.0 * margin_px / side.length_px;
     std::vector<EdgePixel> pixels;
-    for (const auto& place : places)
+    for (const auto& place : pixelsAlong(side, camera, image.size(), reach_px))
     {
         Eigen::Matrix2d J;
         const auto x = undistorted(camera, {place.x, place.y}, &J);
@@ -145,13 +158,14 @@ std::optional<EdgeQuad> refineEdgeQuad(const cv::Mat& image, const Camera& camer
     EdgeQuad result{rough_px, {}};
     std::optional<EdgeFit> fit;
     double reach_px = 5.0;
-    for (int pass = 0; pass < 3; ++pass)
+    for (int pass = 0; pass < kPasses; ++pass)
     {
         const auto sides = sidesOf(camera, result.corners_px);
         if (!sides) return std::nullopt;
         std::array<std::vector<EdgePixel>, 4> pixels;
         for (int k = 0; k < 4; ++k) pixels[k] = pixelsOf(image, camera, (*sides)[k], reach_px);
-        fit = fitEdges(pixels, fit ? &*fit : nullptr);
+        // The pixels are chosen anew after each pass but the last: until then a rough fit will do.
+        fit = fitEdges(pixels, fit ? &*fit : nullptr, pass < kPasses - 1 ? kRough : kConverged);
         if (!fit || !straightEdges(*fit, reach_px)) return std::nullopt;
         const auto corners_px = cornersOf(*sides, *fit, camera);
         if (!corners_px) return std::nullopt;

@@ -105,7 +105,7 @@ std::vector<Quad> findDarkQuads(const cv::Mat& image, const Camera& camera)
     for (const auto& mask : darkRegions(image))
     {
         std::vector<std::vector<cv::Point>> contours;
-        cv::findContours(mask, contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
+        cv::findContours(mask, contours, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
         for (const auto& contour : contours)
         {
             if (cv::contourArea(contour) < 0.5 * kLeastSide_px * kLeastSide_px) continue;
