@@ -73,10 +73,10 @@ TEST(MetricStart, HasTheSpreadItsCovarianceClaims)
     const Camera camera = wideCamera();
     MetricStartOptions o = optionsFor(MetricStartMethod::TargetPoints);
     o.target_points_m = rectangle(0.21, 0.1485);
-    for (const double point_sigma_m : {0.0, 0.0005})
+    for (const double sigma_m : {0.0, 0.0005})
         for (const Eigen::Vector3d& from : {Eigen::Vector3d(0.1, -0.3, 0.35), {-0.3, -0.1, 0.3}})
         {
-            o.point_sigma_m = point_sigma_m;
+            o.point_sigma_m = sigma_m;
             const Vector7d truth = lookAt(from, {0.02, 0.01, 0}, 0.3);
             const auto pixels = seenBy(camera, truth, o.target_points_m);
             const auto exact = metricPoseFrom(pixels, camera, o);
@@ -87,7 +87,7 @@ TEST(MetricStart, HasTheSpreadItsCovarianceClaims)
             for (int i = 0; i < 6; ++i)
                 EXPECT_NEAR(std::sqrt(C(i, i) * spread.n / spread.sum(i, i)), 1.0, 0.1) << i;
             EXPECT_NEAR(spread.mahalanobis / spread.n, 6.0, 0.4);
-            if (point_sigma_m == 0.0) continue;
+            if (sigma_m == 0.0) continue;
             const Eigen::Matrix<double, 3, 12> cross = exact.found->P_pose_points.topRows<3>();
             EXPECT_LT((spread.withPoints / spread.n - cross).norm(), 0.2 * cross.norm());
         }
@@ -109,7 +109,7 @@ TEST(MetricStart, FindsTheExactPoseOnAnyPlaneInAnyOrder)
         Vector7d truth;
         truth << rotate(q_wp, local.head<3>()) + r_wp, quaternionProduct(q_wp, local.tail<4>());
         o.target_points_m.clear();
-        for (const auto& p : flat) o.target_points_m.push_back(rotate(q_wp, p) + r_wp);
+        for (const auto& p : flat) o.target_points_m.emplace_back(rotate(q_wp, p) + r_wp);
         std::shuffle(o.target_points_m.begin(), o.target_points_m.end(), rng);
         const auto pixels = seenBy(camera, truth, o.target_points_m);
         const auto result = metricPoseFrom(pixels, camera, o);

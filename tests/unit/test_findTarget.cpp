@@ -173,7 +173,7 @@ TEST(FindTarget, CornersEightPixelsFromTheBorderAreRefinedOnAnyPlane)
         auto o = optionsFor(MetricStartMethod::TargetPoints);
         for (const Eigen::Vector3d& p :
              {Eigen::Vector3d(hx, hy, 0), {-hx, hy, 0}, {hx, -hy, 0}, {-hx, -hy, 0}})
-            o.target_points_m.push_back(rotate(q_wp, p) + r_wp);
+            o.target_points_m.emplace_back(rotate(q_wp, p) + r_wp);
         o.target_points_px = roughPixels(camera, truth, o.target_points_m, 3.0);
         const cv::Mat image = renderPlane({light, rotationMatrix(q_wp), r_wp}, camera, truth, {});
         const auto result = findMetricPose(image, camera, o);
