@@ -31,6 +31,7 @@ HohctOptions HohctOptions::from(const IniFile& file, const std::string& fileName
                                           {"downdate", SubsetSearch::Downdate},
                                           {"branch_and_bound", SubsetSearch::BranchAndBound},
                                           {"removal", SubsetSearch::Removal},
+                                          {"reinsertion", SubsetSearch::Reinsertion},
                                           {"greedy", SubsetSearch::Greedy}});
     o.dofPerPair = section.get<int>("dof", o.dofPerPair, {{"twice_pairs", 2}, {"pairs", 1}});
     o.budget.subsets = section.get("subset_cap", o.budget.subsets, {1.0, 1e12});
