@@ -9,9 +9,9 @@ namespace monoslam
 {
 namespace
 {
-/** Beyond this share of removals the trees of removals and re-insertions grow fast; the prefix
- *  tree, whose nodes are cheap, then comes first. */
+/** Up to this share of removals hardly any pair of the greedy set is doubtful. */
 constexpr double kFewRemovals = 0.15;
+/** Up to this number of pairs the removal tree ends before a re-insertion is set up. */
 constexpr Eigen::Index kFewPairs = 16;
 
 enum class Stage
@@ -28,15 +28,19 @@ struct StagePlan
     long work;
 };
 constexpr long kAllThatIsLeft = std::numeric_limits<long>::max();
+/** Re-insertions prove a good greedy set at once; around a bad one they would go on for ever, where
+ *  the removal tree, which does not depend on it, ends. */
 constexpr StagePlan kManyRemovals[] = {{Stage::Prefixes, 6000},
-                                       {Stage::Reinsertions, 8000},
+                                       {Stage::Reinsertions, 10000},
+                                       {Stage::Removals, 60000},
                                        {Stage::Prefixes, 20000},
-                                       {Stage::Removals, 40000},
-                                       {Stage::Reinsertions, kAllThatIsLeft}};
-constexpr StagePlan kFew[] = {{Stage::Reinsertions, 8000},
-                              {Stage::Prefixes, 6000},
-                              {Stage::Removals, 40000},
-                              {Stage::Reinsertions, kAllThatIsLeft}};
+                                       {Stage::Removals, kAllThatIsLeft}};
+constexpr StagePlan kFewRemovalsPlan[] = {{Stage::Reinsertions, 10000},
+                                          {Stage::Prefixes, 6000},
+                                          {Stage::Removals, kAllThatIsLeft}};
+constexpr StagePlan kFewPairsPlan[] = {{Stage::Removals, 4000},
+                                       {Stage::Prefixes, 20000},
+                                       {Stage::Removals, kAllThatIsLeft}};
 }  // namespace
 
 bool searchByPortfolio(const SubsetProblem& problem, const DowndatingD2& whole,
@@ -57,10 +61,11 @@ bool searchByPortfolio(const SubsetProblem& problem, const DowndatingD2& whole,
         return searchByReinsertions(whole, allowance, incumbent, result);
     };
     searchGreedily(problem, whole, incumbent, result);
+    const auto tryEach = [&run](const auto& plans)
+    { return std::any_of(std::begin(plans), std::end(plans), run); };
     const auto m = static_cast<double>(problem.pairs());
-    const bool many = problem.pairs() <= kFewPairs ||
-                      static_cast<double>(incumbent.removals()) > kFewRemovals * m;
-    if (many) return std::any_of(std::begin(kManyRemovals), std::end(kManyRemovals), run);
-    return std::any_of(std::begin(kFew), std::end(kFew), run);
+    if (problem.pairs() <= kFewPairs) return tryEach(kFewPairsPlan);
+    const bool few = static_cast<double>(incumbent.removals()) <= kFewRemovals * m;
+    return few ? tryEach(kFewRemovalsPlan) : tryEach(kManyRemovals);
 }
 }  // namespace monoslam
