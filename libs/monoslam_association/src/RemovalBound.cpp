@@ -19,6 +19,7 @@ void RemovalBound::measure(const PairMatrix& Lam, const PairVector& gt)
         C_.resize(n, 4);
         w_.resize(n);
         values_.resize(n);
+        squares_.resize(n);
     }
     open_.resize(static_cast<std::size_t>(n));
     std::iota(open_.begin(), open_.end(), Eigen::Index{0});
@@ -34,7 +35,11 @@ void RemovalBound::measure(const PairMatrix& Lam, const PairVector& gt)
         const double u1 = c * (gt(j, 1) - b * u0);
         w_(j) = u0 * u0 + u1 * u1;
     }
-    for (Eigen::Index j = 0; j + 1 < n; ++j) coupleWithLater(Lam, j);
+    for (Eigen::Index j = 0; j < n; ++j) coupleWithLater(Lam, j);
+    for (Eigen::Index j = 0; j < n; ++j) squares_(j) = N_.col(j).head(n).squaredNorm();
+    strongest_ = open_;
+    std::sort(strongest_.begin(), strongest_.end(),
+              [this](Eigen::Index a, Eigen::Index b) { return squares_(a) > squares_(b); });
 }
 
 /** N_lj = sqrt(f + sqrt(f^2 - det^2)), 2 f the sum of squares of C_lj, for all l > j. */
@@ -62,11 +67,13 @@ void RemovalBound::coupleWithLater(const PairMatrix& Lam, Eigen::Index j)
     N = c00 * c11 - c01 * c10;
     c00 = 0.5 * (c00.square() + c01.square() + c10.square() + c11.square());
     N = (c00 + (c00.square() - N.square()).max(0.0).sqrt()).sqrt();
+    N_(j, j) = 0.0;
     N_.row(j).segment(j + 1, n) = N_.col(j).segment(j + 1, n).transpose();
 }
 
 void RemovalBound::close(Eigen::Index j)
 {
+    strongest_.erase(std::find(strongest_.begin(), strongest_.end(), j));
     for (const Eigen::Index l : open_)
         if (N_(l, j) >= least_(l)) known_[static_cast<std::size_t>(l)] = 0;
 }
@@ -80,7 +87,7 @@ void RemovalBound::drop(Eigen::Index j)
 void RemovalBound::sumLargest(Eigen::Index j)
 {
     largest_.assign(static_cast<std::size_t>(summed_), 0.0);
-    for (const Eigen::Index l : open_)
+    for (const Eigen::Index l : strongest_)
         if (N_(l, j) > largest_.back() && l != j) insertFalling(largest_, N_(l, j));
     double sum = 0.0;
     for (Eigen::Index x = 0; x < summed_; ++x)

@@ -55,5 +55,7 @@ class RemovalBound
     std::vector<double> largest_;
     ReachablePairs reachable_;
     std::vector<Eigen::Index> open_, closed_;
+    Eigen::ArrayXd squares_;               ///< sum of the N_jl^2
+    std::vector<Eigen::Index> strongest_;  ///< the open ones, most strongly coupled first
 };
 }  // namespace monoslam

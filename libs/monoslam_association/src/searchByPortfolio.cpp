@@ -35,12 +35,10 @@ constexpr StagePlan kManyRemovals[] = {{Stage::Prefixes, 6000},
                                        {Stage::Removals, 60000},
                                        {Stage::Prefixes, 20000},
                                        {Stage::Removals, kAllThatIsLeft}};
-constexpr StagePlan kFewRemovalsPlan[] = {{Stage::Reinsertions, 10000},
-                                          {Stage::Prefixes, 6000},
-                                          {Stage::Removals, kAllThatIsLeft}};
-constexpr StagePlan kFewPairsPlan[] = {{Stage::Removals, 4000},
-                                       {Stage::Prefixes, 20000},
-                                       {Stage::Removals, kAllThatIsLeft}};
+constexpr StagePlan kFewRemovalsPlan[] = {
+    {Stage::Reinsertions, 10000}, {Stage::Prefixes, 6000}, {Stage::Removals, kAllThatIsLeft}};
+constexpr StagePlan kFewPairsPlan[] = {
+    {Stage::Removals, 4000}, {Stage::Prefixes, 20000}, {Stage::Removals, kAllThatIsLeft}};
 }  // namespace
 
 bool searchByPortfolio(const SubsetProblem& problem, const DowndatingD2& whole,
