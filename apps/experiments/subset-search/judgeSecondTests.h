@@ -6,6 +6,6 @@
 namespace monoslam
 {
 /** The tables of what second tests do to the largest compatible subset: all cells with wrong pairs
- *  together, then the test that gives most right sets by kind. */
+ *  together, then some tests kind by kind. */
 void judgeSecondTests(unsigned seeds);
 }  // namespace monoslam
