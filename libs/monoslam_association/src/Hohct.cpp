@@ -31,10 +31,13 @@ HohctOptions HohctOptions::from(const IniFile& file, const std::string& fileName
                                           {"downdate", SubsetSearch::Downdate},
                                           {"branch_and_bound", SubsetSearch::BranchAndBound},
                                           {"removal", SubsetSearch::Removal},
+                                          {"reinsertion", SubsetSearch::Reinsertion},
                                           {"greedy", SubsetSearch::Greedy}});
     o.dofPerPair = section.get<int>("dof", o.dofPerPair, {{"twice_pairs", 2}, {"pairs", 1}});
     o.budget.subsets = section.get("subset_cap", o.budget.subsets, {1.0, 1e12});
     o.budget.nodes = section.get("node_cap", static_cast<int>(o.budget.nodes), {1.0, 1e9});
+    const double time_ms = section.get("time_cap_ms", 0.0, {0.0, 1e6});
+    if (time_ms > 0.0) o.budget.time_ms = time_ms;
     section.rejectUnknownKeys();
     return o;
 }
