@@ -103,6 +103,7 @@ struct AssociationCounters
     long d2Evaluations = 0;
     long faults = 0;  ///< indefinite S met in the update
     bool provedOptimal = true;
+    long capped = 0;  ///< searches that a time cap ended: the strategy's fallback went on
     double jointD2 = 0.0;         ///< of the accepted set
     double searchMs = 0.0;        ///< thread CPU time of image search
     double selectMs = 0.0;        ///< of association proper
