@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "monoslam_support/ThreadClock.h"
+
 namespace monoslam
 {
 namespace
@@ -42,14 +44,16 @@ void endBy(int signal, __itimer_which timer, double after_ms)
     setitimer(timer, &once, nullptr);
 }
 
-[[noreturn]] void beChild(double cap_ms, const std::function<void()>& compute)
+[[noreturn]] void beChild(double cap_ms, const std::function<void()>& compute, long& used_ns)
 {
     endBy(SIGPROF, ITIMER_PROF, cap_ms);
     endBy(SIGALRM, ITIMER_REAL, kClockPerCpu * cap_ms);
     int status = 0;
     try
     {
+        ThreadClock clock;
         compute();
+        used_ns = std::lround(1e6 * clock.lap_ms());
     }
     catch (...)
     {
@@ -79,18 +83,19 @@ SharedNumbers::~SharedNumbers()
 
 ChildRun runInChild(double cap_ms, const std::function<void()>& compute)
 {
+    SharedNumbers used_ns(1);
     const pid_t child = fork();
     if (child < 0) fail(std::string("cannot be made: ") + std::strerror(errno));
-    if (child == 0) beChild(cap_ms, compute);
+    if (child == 0) beChild(cap_ms, compute, used_ns[0]);
     int status = 0;
     rusage used{};
     while (wait4(child, &status, 0, &used) < 0)
         if (errno != EINTR) fail(std::string("cannot be waited for: ") + std::strerror(errno));
-    const double cpu_ms = milliseconds(used.ru_utime) + milliseconds(used.ru_stime);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {true, cpu_ms};
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+        return {true, 1e-6 * static_cast<double>(used_ns[0])};
     if (WIFEXITED(status)) fail("threw an exception");
     const int signal = WTERMSIG(status);
     if (signal != SIGPROF && signal != SIGALRM) fail("ended by signal " + std::to_string(signal));
-    return {false, cpu_ms};
+    return {false, milliseconds(used.ru_utime) + milliseconds(used.ru_stime)};
 }
 }  // namespace monoslam

@@ -27,7 +27,7 @@ class SharedNumbers
 struct ChildRun
 {
     bool finished = false;  ///< false: its time was over
-    double cpu_ms = 0.0;
+    double cpu_ms = 0.0;    ///< of compute(), without that of making the child
 };
 
 /** Calls compute() in a child process, which the kernel ends when it has used \p cap_ms of CPU time,

@@ -16,7 +16,7 @@ struct ProblemShape
 /** What is drawn; standard deviations unless said otherwise. */
 struct ProblemDistributions
 {
-    double dt_s = 1.0 / 15.0;        ///< since the landmarks were first seen
+    double dt_s = 1.0 / 30.0;        ///< since the landmarks were first seen
     double position_m = 0.01;        ///< of the first pose, each axis
     double orientation_rad = 0.005;  ///< of the first pose, about each axis
     double velocity_mps = 0.3;       ///< of mean and belief, each axis
