@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "drawCandidates.h"
 #include "monoslam_association/jointCompatibility.h"
 #include "monoslam_eval/SyntheticWorld.h"
 #include "monoslam_filter/editBelief.h"
@@ -21,6 +22,7 @@ using namespace camera_state;
 
 /** A frame that cannot be drawn so often never can. */
 constexpr int kTries = 10000;
+constexpr LandmarkId kDepths = 5;
 
 /** One problem being drawn. */
 class Draw
@@ -59,8 +61,8 @@ class Draw
         x_v(kOrientation) = 1.0;
         for (int i = 0; i < 3; ++i)
         {
-            x_v(kVelocity + i) = normal(d_.velocity_mps);
-            x_v(kAngularVelocity + i) = normal(d_.turnRate_radps);
+            x_v(kVelocity + i) = normal(d_.speed_mps);
+            x_v(kAngularVelocity + i) = normal(d_.turning_radps);
         }
         Matrix13d P_v = Matrix13d::Zero();
         const double halfAngle = 0.5 * d_.orientation_rad;  // dq = (1, dtheta / 2)
@@ -73,14 +75,31 @@ class Draw
         return Belief::ofCamera(x_v, P_v);
     }
 
+    [[nodiscard]] double rho0(LandmarkId id) const
+    {
+        return d_.nearest_per_m * static_cast<double>(1 + id % kDepths) / kDepths;
+    }
+
+    Belief addLandmarks(Belief belief, const std::vector<NewLandmark>& corners) const
+    {
+        for (LandmarkId depth = 0; depth < kDepths; ++depth)
+        {
+            std::vector<NewLandmark> sameDepth;
+            for (const NewLandmark& corner : corners)
+                if (corner.id % kDepths == depth) sameDepth.push_back(corner);
+            belief = addUndelayed(std::move(belief), frame_.camera, sameDepth,
+                                  {rho0(depth), d_.rhoShare * rho0(depth), d_.sigma_px});
+        }
+        return belief;
+    }
+
     /** First sighting of a landmark by the true camera: its pixel with noise. */
     NewLandmark sight(LandmarkId id, const Vector13d& truth, SyntheticWorld& world)
     {
         const CameraParameters& c = frame_.camera.parameters();
         const Eigen::Vector2d uv(uniform(d_.border_px, c.width_px - 1.0 - d_.border_px),
                                  uniform(d_.border_px, c.height_px - 1.0 - d_.border_px));
-        double rho = 0.0;
-        while (rho <= 0.0) rho = d_.rho0_per_m + normal(d_.sigmaRho_per_m);
+        const double rho = rho0(id) * (1.0 + normal(d_.rhoShare));
         const Eigen::Vector3d ray_c = frame_.camera.unproject(uv).value();
         const Eigen::Vector4d q_wc = truth.segment<4>(kOrientation);
         world.addLandmark(truth.head<3>() + rotate(q_wc, ray_c.normalized()) / rho);
@@ -99,9 +118,7 @@ class Draw
         SyntheticWorld world(options, static_cast<unsigned>(rng_()));
         std::vector<NewLandmark> corners;
         for (int i = 0; i < shape_.landmarks; ++i) corners.push_back(sight(i, truth, world));
-        belief = addUndelayed(std::move(belief), frame_.camera, corners,
-                              {d_.rho0_per_m, d_.sigmaRho_per_m, d_.sigma_px});
-        belief = ekfPredict(std::move(belief), motion, d_.dt_s);
+        belief = ekfPredict(addLandmarks(std::move(belief), corners), motion, d_.dt_s);
         truth = drawMotion(truth, d_.dt_s, motion, rng_);
         rows_ = predictMeasurements(belief, frame_.camera, frame_.visibility).rows;
         if (rows_.size() != corners.size()) return std::nullopt;
@@ -122,27 +139,6 @@ class Draw
         return nu.dot(row.S.llt().solve(nu)) < gate_;
     }
 
-    double score(double mean, double sigma)
-    {
-        double drawn = 0.0;
-        do drawn = mean + normal(sigma);
-        while (drawn < d_.minScore || drawn > 1.0);
-        return drawn;
-    }
-
-    Candidate wrong(const PredictedLandmark& row, const Eigen::Vector2d& right)
-    {
-        const Eigen::Matrix2d L = row.S.llt().matrixL();
-        for (int tries = 0; tries < kTries; ++tries)
-        {
-            const Eigen::Vector2d e(uniform(-1.0, 1.0), uniform(-1.0, 1.0));
-            const Eigen::Vector2d z = row.h + std::sqrt(gate_) * (L * e);
-            if (e.squaredNorm() < 1.0 && (z - right).norm() >= d_.wrongDistance_px)
-                return {z, score(d_.wrongScore, d_.wrongScoreSigma), row.R};
-        }
-        throw std::invalid_argument("drawProblem: an ellipse has no place for a wrong candidate");
-    }
-
     RecordedFrame withCandidates(const Pixels& right)
     {
         std::vector<std::size_t> order(right.size());
@@ -155,16 +151,11 @@ class Draw
             RecordedLandmark landmark;
             landmark.id = rows_[i].id;
             landmark.predicted = rows_[i];
-            std::vector<Candidate>& found = landmark.candidates;
-            if (!absent[i])
-                found.push_back({right[i], score(d_.rightScore, d_.rightScoreSigma), rows_[i].R});
-            while (static_cast<int>(found.size()) < shape_.candidates)
-                found.push_back(wrong(rows_[i], right[i]));
-            std::sort(found.begin(), found.end(),
-                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+            landmark.candidates =
+                drawCandidates(rows_[i], {shape_.candidates, absent[i], right[i]}, d_, rng_);
             landmark.truth = -1;
-            for (std::size_t c = 0; c < found.size(); ++c)
-                if (!absent[i] && found[c].z == right[i]) landmark.truth = static_cast<int>(c);
+            for (std::size_t c = 0; c < landmark.candidates.size(); ++c)
+                if (landmark.candidates[c].z == right[i]) landmark.truth = static_cast<int>(c);
             frame_.landmarks.push_back(std::move(landmark));
         }
         return std::move(frame_);

@@ -139,7 +139,8 @@ std::vector<int> JcbbMrpt::select(const AssociationProblem& problem,
 {
     const MrptProblem mrpt = translate(problem);
     SharedNumbers answer(problem.rows.size() + 1);
-    ChildRun run{cap_ms_ == 0.0, 0.0};
+    // With one candidate each MRPT's bound holds: as many nodes as landmarks.
+    ChildRun run{cap_ms_ == 0.0 || mrpt.pixels.size() == problem.rows.size(), 0.0};
     const double left_ms = cap_ms_ - counters.otherThreadsMs;  // the frame's earlier searches
     if (run.finished)
         solve(mrpt, tau_, answer);

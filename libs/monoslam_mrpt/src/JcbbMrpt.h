@@ -13,7 +13,8 @@ namespace monoslam
  * that, so landmarks and pixels get a third coordinate that keeps them apart.
  *
  * With several candidates its time grows exponentially, and it cannot be told to stop: it runs in a
- * child process that ends with the frame's CPU time. Then every landmark takes the nearest candidate
+ * child process that ends with the frame's CPU time; there it pays some milliseconds for pages that
+ * are new to the process. At the end of its time every landmark takes the nearest candidate
  * in its own gate, as many pairs as MRPT's largest set has: it maximises their number, and compares
  * D2 only among equals. Such a search is counted as capped and as not proved. */
 class JcbbMrpt : public BatchAssociator

@@ -19,10 +19,12 @@ struct ProblemDistributions
     double dt_s = 1.0 / 30.0;        ///< since the landmarks were first seen
     double position_m = 0.01;        ///< of the first pose, each axis
     double orientation_rad = 0.005;  ///< of the first pose, about each axis
-    double velocity_mps = 0.3;       ///< of mean and belief, each axis
-    double turnRate_radps = 0.2;     ///< of mean and belief, about each axis
-    double rho0_per_m = 0.5;         ///< mean inverse depth
-    double sigmaRho_per_m = 0.12;    ///< of each landmark's
+    double speed_mps = 0.3;          ///< of the mean velocity, each axis
+    double turning_radps = 0.2;      ///< of the mean turn rate, about each axis
+    double velocity_mps = 0.1;       ///< of the belief about the velocity, each axis
+    double turnRate_radps = 0.1;     ///< of the belief about the turn rate, about each axis
+    double nearest_per_m = 1.0;      ///< inverse depths are this, four fifths, ... one fifth of it
+    double rhoShare = 0.05;          ///< of an inverse depth, relative to it
     double sigma_px = 1.0;           ///< of a pixel
     double border_px = 80.0;         ///< first pixels are uniform so far inside the image
     double gateProbability = 0.99;   ///< right pixels lie in this ellipse, wrong ones uniform in it
