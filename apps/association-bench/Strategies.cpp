@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 #include "monoslam_support/readIni.h"
 
@@ -13,6 +14,7 @@ using mrpt::config::CConfigFileMemory;
 namespace
 {
 constexpr const char* kSection = "association";
+constexpr std::string_view kStrategy = "association.";
 /** CPU time of MRPT's JCBB for one problem [s], unless the options say otherwise. */
 constexpr const char* kMrptCap_s = "0.05";
 
@@ -22,9 +24,10 @@ void setDefault(CConfigFileMemory& ini, const std::string& section, const std::s
     if (!ini.keyExists(section, key)) ini.write(section, key, value);
 }
 
-bool isOfAssociation(const std::string& section)
+/** Begins as the section of a strategy, or a setting of [association...], does. */
+bool isOfStrategy(const std::string& name)
 {
-    return section.rfind(std::string(kSection) + ".", 0) == 0;
+    return name.compare(0, kStrategy.size(), kStrategy) == 0;
 }
 
 /** Misspelt sections would be ignored otherwise; the other sections are mono-slam's. */
@@ -35,17 +38,18 @@ void rejectUnknownSections(const CConfigFileMemory& ini, const std::string& file
     ini.getAllSections(sections);
     for (const std::string& section : sections)
     {
-        if (!isOfAssociation(section)) continue;
-        const std::string name = section.substr(std::string(kSection).size() + 1);
+        if (!isOfStrategy(section)) continue;
+        const std::string name = section.substr(kStrategy.size());
         if (std::find(names.begin(), names.end(), name) == names.end())
-            throw std::invalid_argument(fileName + ": unknown section [" + section + "]");
+            throw std::invalid_argument(
+                std::string(fileName).append(": unknown section [").append(section).append("]"));
     }
 }
 
 void rejectOtherSettings(const std::vector<std::string>& settings)
 {
     for (const std::string& setting : settings)
-        if (setting.rfind(std::string(kSection) + ".", 0) != 0)
+        if (!isOfStrategy(setting))
             throw std::invalid_argument("--set " + setting + ": only [association...] is read");
 }
 

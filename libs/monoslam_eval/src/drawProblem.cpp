@@ -100,9 +100,9 @@ class Draw
         const Eigen::Vector2d uv(uniform(d_.border_px, c.width_px - 1.0 - d_.border_px),
                                  uniform(d_.border_px, c.height_px - 1.0 - d_.border_px));
         const double rho = rho0(id) * (1.0 + normal(d_.rhoShare));
-        const Eigen::Vector3d ray_c = frame_.camera.unproject(uv).value();
+        const Eigen::Vector3d ray = frame_.camera.unproject(uv).value();
         const Eigen::Vector4d q_wc = truth.segment<4>(kOrientation);
-        world.addLandmark(truth.head<3>() + rotate(q_wc, ray_c.normalized()) / rho);
+        world.addLandmark(truth.head<3>() + rotate(q_wc, ray.normalized()) / rho);
         return {id, uv + Eigen::Vector2d(normal(d_.sigma_px), normal(d_.sigma_px))};
     }
 

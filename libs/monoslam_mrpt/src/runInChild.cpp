@@ -44,7 +44,7 @@ void endBy(int signal, __itimer_which timer, double after_ms)
     setitimer(timer, &once, nullptr);
 }
 
-[[noreturn]] void beChild(double cap_ms, const std::function<void()>& compute, long& used_ns)
+[[noreturn]] void beChild(double cap_ms, const std::function<void()>& compute, long& nanoseconds)
 {
     endBy(SIGPROF, ITIMER_PROF, cap_ms);
     endBy(SIGALRM, ITIMER_REAL, kClockPerCpu * cap_ms);
@@ -53,7 +53,7 @@ void endBy(int signal, __itimer_which timer, double after_ms)
     {
         ThreadClock clock;
         compute();
-        used_ns = std::lround(1e6 * clock.lap_ms());
+        nanoseconds = std::lround(1e6 * clock.lap_ms());
     }
     catch (...)
     {
@@ -83,16 +83,16 @@ SharedNumbers::~SharedNumbers()
 
 ChildRun runInChild(double cap_ms, const std::function<void()>& compute)
 {
-    SharedNumbers used_ns(1);
+    SharedNumbers nanoseconds(1);
     const pid_t child = fork();
     if (child < 0) fail(std::string("cannot be made: ") + std::strerror(errno));
-    if (child == 0) beChild(cap_ms, compute, used_ns[0]);
+    if (child == 0) beChild(cap_ms, compute, nanoseconds[0]);
     int status = 0;
     rusage used{};
     while (wait4(child, &status, 0, &used) < 0)
         if (errno != EINTR) fail(std::string("cannot be waited for: ") + std::strerror(errno));
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
-        return {true, 1e-6 * static_cast<double>(used_ns[0])};
+        return {true, 1e-6 * static_cast<double>(nanoseconds[0])};
     if (WIFEXITED(status)) fail("threw an exception");
     const int signal = WTERMSIG(status);
     if (signal != SIGPROF && signal != SIGALRM) fail("ended by signal " + std::to_string(signal));
