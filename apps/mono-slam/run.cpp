@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "Config.h"
+#include "ProblemDump.h"
 #include "Progress.h"
 #include "RunOutputs.h"
 #include "monoslam_association/strategyTable.h"
@@ -96,6 +97,7 @@ int run(const Arguments& arguments)
         throw std::invalid_argument("no CONFIG.ini is given; see --help");
     Config config = loadConfig(arguments);
     checkOutputFolder(config.output.directory, arguments.force);
+    ProblemDump dump(arguments.dumpFolder, arguments.dumpFrames, arguments.force);
     RawlogReader reader(config.rawlog, config.camera);
     MonoSlam slam(config.slam, Camera(reader.camera()), std::move(config.associator),
                   arguments.seed, makeEngine(config.slam.engine));
@@ -104,6 +106,7 @@ int run(const Arguments& arguments)
     if (arguments.dryRun) return 0;
 
     RunOutputs outputs(config, arguments, reader);
+    dump.attachTo(slam);
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
     try

@@ -42,6 +42,11 @@ void readIni(const std::string& fileName, const std::vector<std::string>& settin
              CConfigFileMemory& ini)
 {
     ini.setContent(readText(fileName));
+    applySettings(settings, ini);
+}
+
+void applySettings(const std::vector<std::string>& settings, CConfigFileMemory& ini)
+{
     for (const std::string& setting : settings) apply(setting, ini);
 }
 }  // namespace monoslam

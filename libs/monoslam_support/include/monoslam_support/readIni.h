@@ -20,4 +20,8 @@ namespace monoslam
 MONOSLAM_SUPPORT_EXPORT void readIni(const std::string& fileName,
                                      const std::vector<std::string>& settings,
                                      mrpt::config::CConfigFileMemory& ini);
+
+/** The settings alone, on top of what \p ini has. \throw std::invalid_argument as above */
+MONOSLAM_SUPPORT_EXPORT void applySettings(const std::vector<std::string>& settings,
+                                           mrpt::config::CConfigFileMemory& ini);
 }  // namespace monoslam
