@@ -18,7 +18,7 @@ class RemovalTree
 {
    public:
     /** Work of a node, in nodes of the prefix tree. */
-    static constexpr long kNodeWork = 64;
+    static constexpr long kNodeWork = 256;
 
     struct Node
     {

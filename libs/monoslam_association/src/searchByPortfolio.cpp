@@ -31,14 +31,14 @@ constexpr long kAllThatIsLeft = std::numeric_limits<long>::max();
 /** Re-insertions prove a good greedy set at once; around a bad one they would go on for ever, where
  *  the removal tree, which does not depend on it, ends. */
 constexpr StagePlan kManyRemovals[] = {{Stage::Prefixes, 6000},
-                                       {Stage::Reinsertions, 10000},
-                                       {Stage::Removals, 60000},
+                                       {Stage::Reinsertions, 40000},
+                                       {Stage::Removals, 240000},
                                        {Stage::Prefixes, 20000},
                                        {Stage::Removals, kAllThatIsLeft}};
 constexpr StagePlan kFewRemovalsPlan[] = {
-    {Stage::Reinsertions, 10000}, {Stage::Prefixes, 6000}, {Stage::Removals, kAllThatIsLeft}};
+    {Stage::Reinsertions, 40000}, {Stage::Prefixes, 6000}, {Stage::Removals, kAllThatIsLeft}};
 constexpr StagePlan kFewPairsPlan[] = {
-    {Stage::Removals, 4000}, {Stage::Prefixes, 20000}, {Stage::Removals, kAllThatIsLeft}};
+    {Stage::Removals, 16000}, {Stage::Prefixes, 20000}, {Stage::Removals, kAllThatIsLeft}};
 }  // namespace
 
 bool searchByPortfolio(const SubsetProblem& problem, const DowndatingD2& whole,
