@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "associatorRuns.h"
 
 namespace monoslam::test
@@ -20,6 +22,28 @@ TEST(JointStrategies, RejectWhatNearestNeighboursBelieve)
         EXPECT_EQ(correction.counters.jointSearches, 1);
     }
     EXPECT_EQ(run("none", world, "first_stage_landmarks = 0").counters.rejected, 0);
+}
+
+TEST(Hohct, AmongSeveralCandidatesTakesTheLargestCompatibleAssignment)
+{
+    LinearWorld world = LinearWorld::withLandmarks(12, 10);
+    std::map<LandmarkId, Eigen::Vector2d> truth;
+    for (auto& [id, candidates] : world.seen)
+    {
+        truth[id] = candidates.front().z;
+        Candidate decoy = candidates.front();
+        decoy.score = 0.99;
+        decoy.z += Eigen::Vector2d(id % 2 == 0 ? 14.0 : -12.0, id % 3 == 0 ? 11.0 : -13.0);
+        candidates.insert(candidates.begin(), decoy);
+    }
+    const std::string ini = "first_stage_landmarks = 0\n[association.hohct]\nmax_candidates = ";
+    const Correction several = run("hohct", world, ini + "2");
+    EXPECT_EQ(count(several, Fate::Matched), 12);
+    for (const auto& [id, z] : truth) EXPECT_EQ(recordOf(several, id).z, z) << id;
+    EXPECT_TRUE(several.counters.provedOptimal);
+    EXPECT_GT(several.counters.nodes, 12);
+    EXPECT_LT(count(run("hohct", world, ini + "1"), Fate::Matched), 12);
+    EXPECT_FALSE(run("hohct", world, ini + "2\nassignment_node_cap = 5").counters.provedOptimal);
 }
 
 TEST(BatchAssociator, ShrinksTheRegionsOfTheSecondStage)
