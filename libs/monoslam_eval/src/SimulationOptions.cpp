@@ -74,7 +74,7 @@ SimulationOptions SimulationOptions::from(const mrpt::config::CConfigFileBase& f
     o.landmarks = simulation.get("landmarks", o.landmarks, kLandmarks);
     o.nearest_m = simulation.get("nearest_m", o.nearest_m, kPositive);
     o.farthest_m = simulation.get("farthest_m", o.farthest_m, kPositive);
-    w.frame_s = simulation.get("frame_s", w.frame_s, {1e-4, 10.0});
+    w.frame_s = 1.0 / simulation.get("frame_rate_hz", 1.0 / w.frame_s, {0.1, 1e4});
     w.sigma_px = simulation.get("sigma_px", w.sigma_px, kPositive);
     w.detectionProbability =
         simulation.get("detection_probability", w.detectionProbability, kProbability);
