@@ -63,12 +63,21 @@ void FeatureSlam::use(std::shared_ptr<const Associator> associator)
     associator_ = std::move(associator);
 }
 
+void FeatureSlam::check(const PixelFrame& frame) const
+{
+    const std::string where = "frame at " + std::to_string(frame.t_s) + " s: ";
+    if (t_s_ && !(frame.t_s > *t_s_))
+        throw std::invalid_argument(where + "not after the one before it");
+    for (const PixelFeature& feature : frame.features)
+        if (feature.truth == kUnknownTruth)
+            throw std::invalid_argument(where + "the truth of feature " +
+                                        std::to_string(feature.id) +
+                                        " is unknown; no landmark can begin with it");
+}
+
 Mixture FeatureSlam::predict(Mixture mixture, double t_s) const
 {
     if (!t_s_) return mixture;
-    if (!(t_s > *t_s_))
-        throw std::invalid_argument("frame at " + std::to_string(t_s) +
-                                    " s: not after the one before it");
     for (WeightedBelief& weighted : mixture)
         weighted.belief = ekfPredict(std::move(weighted.belief), options_.motion, t_s - *t_s_);
     return mixture;
@@ -81,10 +90,6 @@ Mixture FeatureSlam::grow(Mixture mixture, const PixelFrame& frame) const
         std::vector<NewLandmark> corners;
         for (const PixelFeature& feature : frame.features)
         {
-            if (feature.truth == kUnknownTruth)
-                throw std::invalid_argument(
-                    "frame at " + std::to_string(frame.t_s) +
-                    " s: the truth of a feature is unknown; no landmark can begin with it");
             if (feature.truth >= 0 && weighted.belief.find(feature.truth) < 0 &&
                 camera_.contains(feature.z, options_.visibility.border_px))
                 corners.push_back({feature.truth, feature.z});
@@ -114,6 +119,7 @@ FeatureReport FeatureSlam::report(double t_s, Correction correction) const
 
 FeatureReport FeatureSlam::process(const PixelFrame& frame)
 {
+    check(frame);
     Mixture predicted = predict(std::move(mixture_), frame.t_s);
     t_s_ = frame.t_s;
     Correction correction = associator_->correct(std::move(predicted),

@@ -55,7 +55,7 @@ class MONOSLAM_EVAL_EXPORT FeatureSlam
                 std::shared_ptr<const Associator> associator, unsigned seed);
 
     /** \throw std::invalid_argument if time does not increase, or if the truth of a frame's features
-     *  is not known, so that no landmark could begin */
+     *  is not known, so that no landmark could begin; the frame is then as if it had not been */
     FeatureReport process(const PixelFrame& frame);
 
     /** Goes on with another strategy, which takes the mixture as it is. */
@@ -64,6 +64,7 @@ class MONOSLAM_EVAL_EXPORT FeatureSlam
     [[nodiscard]] const Mixture& mixture() const { return mixture_; }
 
    private:
+    void check(const PixelFrame& frame) const;
     [[nodiscard]] Mixture predict(Mixture mixture, double t_s) const;
     [[nodiscard]] Mixture grow(Mixture mixture, const PixelFrame& frame) const;
     [[nodiscard]] FeatureReport report(double t_s, Correction correction) const;
