@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # One experiment, built and run; the table goes to the terminal and to build/experiments/NAME.md.
 #     apps/experiments/run.sh front-end|validation DEPTH_FOLDER_OF_DESK
+#     apps/experiments/run.sh recovery
 set -euo pipefail
-[[ $# -eq 2 && $1 =~ ^(front-end|validation)$ ]] ||
-    { echo "usage: $0 front-end|validation DEPTH_FOLDER_OF_DESK" >&2; exit 2; }
-depth=$(realpath "$2")
+[[ $# -eq 2 && $1 =~ ^(front-end|validation)$ || $# -eq 1 && $1 == recovery ]] ||
+    { echo "usage: $0 front-end|validation DEPTH_FOLDER_OF_DESK, or $0 recovery" >&2; exit 2; }
+depth=$(realpath "${2-.}")
 cd "$(dirname "$0")/../.."
 program=build/release/bin/experiment-$1
 output=build/experiments
@@ -12,7 +13,9 @@ mkdir -p "$output"
 cmake --preset release -D MONOSLAM_BUILD_EXPERIMENTS=ON >&2
 cmake --build --preset release --target "experiment-$1" >&2
 
-if [[ $1 == front-end ]]; then
+if [[ $1 == recovery ]]; then
+    "$program" "$(nproc)" | tee "$output/$1.md"
+elif [[ $1 == front-end ]]; then
     "$program" config/desk.ini datasets/desk "$depth" | tee "$output/$1.md"
 else
     {

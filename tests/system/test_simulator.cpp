@@ -71,7 +71,7 @@ TEST_F(Simulator, RunsAnyStrategyOnWhatItWrote)
         ASSERT_EQ(result.status, 0) << result.output;
         EXPECT_NE(result.output.find("20 frames"), std::string::npos);
         evaluate(folder_ / "a.tum", out);
-        EXPECT_LT(figure(out + "/figures.json", "unaligned_ate_rmse_mm"), 50.0) << strategy;
+        EXPECT_LT(figure(out + "/figures.json", "SE3_ate_rmse_mm"), 50.0) << strategy;
     }
     ASSERT_EQ(runOn(rawlog_, folder_ / "again").status, 0);
     EXPECT_EQ(readText(folder_ / "again/trajectory.tum"),

@@ -14,24 +14,32 @@ namespace monoslam
 {
 namespace
 {
-struct Arguments
-{
-    unsigned seeds = 40;
-    unsigned threads = 2;
-};
-
 struct Scene
 {
     const char* title;
     Disturbance disturbance;
+    unsigned seeds;
+    bool everyMhda;  ///< its variants as well
 };
 
-const std::vector<Scene> kScenes{
-    {"A common offset of 10 px, the true images hidden", {WrongMatchesOptions::Kind::Offset, true}},
-    {"A twin of the object 50 mm away, the true images hidden",
-     {WrongMatchesOptions::Kind::Twin, true}},
-    {"A common offset of 10 px beside the true images",
-     {WrongMatchesOptions::Kind::Offset, false}}};
+const std::vector<Scene> kScenes{{"A common offset of 10 px, the true images hidden",
+                                  {WrongMatchesOptions::Kind::Offset, true},
+                                  40,
+                                  true},
+                                 {"A twin of the object 50 mm away, the true images hidden",
+                                  {WrongMatchesOptions::Kind::Twin, true},
+                                  20,
+                                  true},
+                                 {"A common offset of 10 px beside the true images",
+                                  {WrongMatchesOptions::Kind::Offset, false},
+                                  20,
+                                  false}};
+
+struct Arguments
+{
+    unsigned threads = 2;
+    std::vector<Scene> scenes = kScenes;
+};
 
 double median(std::vector<double> values)
 {
@@ -71,7 +79,7 @@ void printRow(const Method& method, const OutcomesOfSeeds& ofSeeds)
     std::fflush(stdout);
 }
 
-void printTable(const std::vector<Method>& methods, const Scene& scene, const Arguments& arguments)
+void printTable(const std::vector<Method>& methods, const Scene& scene, unsigned threads)
 {
     std::printf("| |");
     for (const int duration : kDurations)
@@ -80,38 +88,39 @@ void printTable(const std::vector<Method>& methods, const Scene& scene, const Ar
     for (std::size_t i = 0; i < kDurations.size() + 2; ++i) std::printf("--:|");
     std::printf("\n");
     for (const Method& method : methods)
-        printRow(method, runSeeds(method, scene.disturbance, arguments.seeds, arguments.threads));
+        printRow(method, runSeeds(method, scene.disturbance, scene.seeds, threads));
     std::printf("\n");
 }
 
-unsigned numberFrom(const std::string& text)
+unsigned numberFrom(const std::string& text, std::size_t most)
 {
-    constexpr unsigned long kMost = 100000;
     const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
     const unsigned long number = digits && text.size() < 7 && !text.empty() ? std::stoul(text) : 0;
-    if (number < 1 || number > kMost)
-        throw std::invalid_argument(text + ": expected a number from 1 to 100000");
+    if (number < 1 || number > most)
+        throw std::invalid_argument(text + ": expected a number from 1 to " + std::to_string(most));
     return static_cast<unsigned>(number);
 }
 
 Arguments parse(int argc, char** argv)
 {
-    if (argc > 3) throw std::invalid_argument("expected [SEEDS [THREADS]]");
+    if (argc > 3) throw std::invalid_argument("expected [THREADS [SCENE]]");
+    constexpr std::size_t kMostThreads = 256;
     Arguments arguments;
-    if (argc > 1) arguments.seeds = numberFrom(argv[1]);
-    if (argc > 2) arguments.threads = numberFrom(argv[2]);
+    if (argc > 1) arguments.threads = numberFrom(argv[1], kMostThreads);
+    if (argc > 2) arguments.scenes = {kScenes[numberFrom(argv[2], kScenes.size()) - 1]};
     return arguments;
 }
 
 void run(const Arguments& arguments)
 {
     registerMrptAssociators();
-    for (const Scene& scene : kScenes)
+    for (const Scene& scene : arguments.scenes)
     {
-        std::printf("## %s\n\n### Every strategy\n\n", scene.title);
-        printTable(allStrategies(), scene, arguments);
+        std::printf("## %s, %u seeds\n\n### Every strategy\n\n", scene.title, scene.seeds);
+        printTable(allStrategies(), scene, arguments.threads);
+        if (!scene.everyMhda) continue;
         std::printf("### mhda\n\n");
-        printTable(mhdaVariants(), scene, arguments);
+        printTable(mhdaVariants(), scene, arguments.threads);
     }
 }
 }  // namespace
