@@ -10,7 +10,6 @@
 #include "monoslam_eval/drawMotion.h"
 #include "monoslam_filter/editBelief.h"
 #include "monoslam_filter/secondOrderNoise.h"
-#include "monoslam_models/quaternion.h"
 
 namespace monoslam
 {
