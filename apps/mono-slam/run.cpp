@@ -4,7 +4,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 #include "Config.h"
@@ -26,14 +25,6 @@ void onInterrupt(int signal)
 {
     interrupted = 1;
     std::signal(signal, SIG_DFL);
-}
-
-void writeDefaultConfig(const Arguments& arguments)
-{
-    const std::string& file = arguments.defaultConfigFile;
-    if (file != "/dev/stdout" && std::ifstream(file) && !arguments.force)
-        throw std::runtime_error(file + ": exists; use --force to replace it");
-    OutputFile(file).write(defaultConfig());
 }
 
 void describe(const RawlogReader& reader, const Config& config)
@@ -84,7 +75,7 @@ int run(const Arguments& arguments)
 {
     if (!arguments.defaultConfigFile.empty())
     {
-        writeDefaultConfig(arguments);
+        writeTextFile(arguments.defaultConfigFile, defaultConfig(), arguments.force);
         return 0;
     }
     registerMrptAssociators();

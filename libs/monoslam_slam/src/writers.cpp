@@ -138,6 +138,13 @@ void checkOutputFolder(const std::string& folder, bool force)
                                  "replace the files of an earlier run");
 }
 
+void writeTextFile(const std::string& path, const std::string& text, bool force)
+{
+    if (path != "/dev/stdout" && fs::exists(path) && !force)
+        throw std::runtime_error(path + ": exists; use --force to replace it");
+    OutputFile(path).write(text);
+}
+
 void prepareOutputFolder(const std::string& folder, bool force)
 {
     checkOutputFolder(folder, force);
