@@ -67,8 +67,8 @@ void rejectUnknownSections(const CConfigFileMemory& ini, const std::string& file
 /** Words of a key, each among those that exist and once; all of them without the key. */
 Words wordsOf(ConfigSection& section, const std::string& key, const Words& known)
 {
-    if (!section.has(key)) return known;
     Words words = splitWords(section.get(key, ""));
+    if (!section.has(key)) return known;
     if (words.empty()) section.fail(key, "names nothing");
     std::string list;
     for (const std::string& word : known) list += " " + word;
@@ -117,8 +117,8 @@ Batch readBatch(const std::string& fileName, const Words& strategies)
     const std::string output = section.get("output", "");
     if (output.empty()) section.fail("output", "not given, but needed");
     batch.output = (fs::path(folder) / output).lexically_normal().string();
-    if (!section.has("strategies")) section.fail("strategies", "not given, but needed");
     batch.strategies = wordsOf(section, "strategies", strategies);
+    if (!section.has("strategies")) section.fail("strategies", "not given, but needed");
     const auto seeds = parseSeeds(section.get("seeds", "1"));
     if (!seeds) section.fail("seeds", "expected numbers and ranges, each seed once: 1-20, 25");
     batch.seeds = *seeds;

@@ -69,7 +69,10 @@ bool summarise(const JobRecords& records, const std::string& where)
 /** Checks and runs what is pending, and writes results.csv. */
 int runBatch(const std::vector<Job>& jobs, const RunOptions& options, const Arguments& arguments)
 {
-    const OutputFolder folder(options.output, arguments.force);
+    // Where the lines of --list have run there is no mark of ours yet, but there are our jobs.
+    const bool ours =
+        withoutRecord(jobs, readRecords(jobs, options.output, false)).size() < jobs.size();
+    const OutputFolder folder(options.output, arguments.force || ours);
     JobRecords records = readRecords(jobs, options.output, arguments.retryFailed);
     noteInterrupts();
     if (!arguments.collect && !arguments.skipChecks)

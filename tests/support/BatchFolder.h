@@ -32,7 +32,7 @@ inline std::string withoutTimes(const std::string& csv)
     return text;
 }
 
-/** Two small rawlogs, their base configuration and a batch of 2 x 2 x 1 x 2 jobs of them. */
+/** Two small rawlogs, their base configuration and a batch of 2 x 2 x 1 x 1 jobs of them. */
 class BatchFolder : public testing::Test
 {
    protected:
@@ -44,7 +44,7 @@ class BatchFolder : public testing::Test
         writeBatch();
     }
 
-    void writeBatch(const std::string& batch = "strategies = nn jcbb\nseeds = 1-2\n",
+    void writeBatch(const std::string& batch = "strategies = spatial_nn jcbb\n",
                     const std::string& rest = "") const
     {
         writeText(ini_, "[batch]\noutput = out\n" + batch +
