@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 namespace
 {
 constexpr const char* kLockFile = ".mono-slam-batch.lock";  // also says whose folder it is
-constexpr auto kPatience = std::chrono::seconds(5);
 constexpr auto kRetryInterval = std::chrono::milliseconds(20);
 
 void check(const std::string& path, bool force)
@@ -35,9 +34,9 @@ void check(const std::string& path, bool force)
 
 /** Programs of a batch that was killed inherit the lock and hold it until they have died as well,
  *  so that no two of them write to one folder. That takes moments. */
-bool waitForLock(int file)
+bool waitForLock(int file, std::chrono::milliseconds patience)
 {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
+    const auto end = std::chrono::steady_clock::now() + patience;
     while (flock(file, LOCK_EX | LOCK_NB) != 0)
     {
         if (std::chrono::steady_clock::now() > end) return false;
@@ -47,12 +46,13 @@ bool waitForLock(int file)
 }
 }  // namespace
 
-OutputFolder::OutputFolder(const std::string& path, bool force) : lock_(-1)
+OutputFolder::OutputFolder(const std::string& path, bool force, std::chrono::milliseconds patience)
+    : lock_(-1)
 {
     check(path, force);
     lock_ = open((path + "/" + kLockFile).c_str(), O_RDWR | O_CREAT, 0666);  // inherited
     if (lock_ < 0) throw std::runtime_error(path + ": cannot be used: " + std::strerror(errno));
-    if (waitForLock(lock_)) return;
+    if (waitForLock(lock_, patience)) return;
     close(lock_);
     throw std::runtime_error(path + ": another batch is running in this folder");
 }

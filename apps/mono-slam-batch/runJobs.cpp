@@ -50,6 +50,7 @@ std::vector<Task> tasksOf(const std::vector<Job>& jobs, const JobRecords& record
         if (records[i]) continue;
         const std::string folder = options.output + "/" + jobs[i].folder;
         std::filesystem::create_directories(folder);
+        std::filesystem::remove(folder + "/" + kRecordFile);  // of a failure, now tried again
         tasks.push_back(
             {i, commandsOf(jobs[i], options.programs, options.output), folder + "/" + kLogFile});
     }

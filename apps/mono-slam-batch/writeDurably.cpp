@@ -38,7 +38,13 @@ void writeDurably(const std::string& path, const std::string& text)
     if (file == nullptr) fail(path, "written");
     const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() &&
                          std::fflush(file) == 0 && fsync(fileno(file)) == 0;
-    if (std::fclose(file) != 0 || !written) fail(path, "written");
+    if (std::fclose(file) != 0 || !written)
+    {
+        const int why = errno;
+        std::remove(part.c_str());  // where the disk is full, room is what is wanted
+        errno = why;
+        fail(path, "written");
+    }
     if (std::rename(part.c_str(), path.c_str()) != 0) fail(path, "replaced");
     sync(fs::path(path).parent_path().string());  // the new name as well
 }

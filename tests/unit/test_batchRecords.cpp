@@ -119,7 +119,8 @@ TEST(OutputFolder, ServesOneBatchAtATime)
 {
     const TemporaryFolder folder;
     const OutputFolder first(folder.path(), false);
-    EXPECT_THROW(OutputFolder(folder.path(), false), std::runtime_error);
+    EXPECT_THROW(OutputFolder(folder.path(), false, std::chrono::milliseconds(50)),
+                 std::runtime_error);
 }
 
 std::vector<TaskEnd> runAll(const std::vector<Task>& tasks, std::size_t slots)

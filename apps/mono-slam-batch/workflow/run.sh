@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A batch by Snakemake, installed to build/venv-snakemake when it is not there yet.
+# A batch by Snakemake, which install.sh installs when it is not there yet.
 #     apps/mono-slam-batch/workflow/run.sh BATCH.ini OUTPUT [SNAKEMAKE_OPTION ...]
 # Without options: one job a core on this machine. What is finished is not run again.
 set -euo pipefail
@@ -11,22 +11,16 @@ shift 2
 [[ $# -gt 0 ]] || set -- --cores all
 here=$(realpath "$(dirname "$0")")
 root=$(realpath "$here/../../..")
-venv=$root/build/venv-snakemake
 programs=${MONOSLAM_PROGRAMS:-$root/build/release/bin}
 [[ -x $programs/mono-slam-batch ]] ||
     { echo "$0: $programs/mono-slam-batch: not built; MONOSLAM_PROGRAMS names its folder" >&2; exit 1; }
 
-if ! cmp -s "$here/requirements.txt" "$venv/installed.txt"; then
-    echo "Installing Snakemake to $venv" >&2
-    python3 -m venv --clear "$venv"
-    "$venv/bin/pip" install --quiet --disable-pip-version-check --retries 1 -r "$here/requirements.txt"
-    cp "$here/requirements.txt" "$venv/installed.txt"
-fi
+"$here/install.sh" </dev/null
 collect() { "$programs/mono-slam-batch" "$batch" --output "$output" --collect; }
 collect >/dev/null  # refuses a bad batch, and a folder of somebody else
 # A failed job leaves the others running; results.csv is written of what there is.
 status=0
-"$venv/bin/snakemake" --snakefile "$here/Snakefile" --directory "$output" --keep-going \
+"$root/build/venv-snakemake/bin/snakemake" --snakefile "$here/Snakefile" --directory "$output" --keep-going \
     --rerun-incomplete --rerun-triggers mtime "$@" \
     --config "batch=$batch" "output=$output" "programs=$programs" || status=$?
 collect || status=$?
