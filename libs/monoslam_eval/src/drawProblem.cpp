@@ -10,6 +10,7 @@
 #include "drawCandidates.h"
 #include "monoslam_association/jointCompatibility.h"
 #include "monoslam_eval/SyntheticWorld.h"
+#include "monoslam_eval/drawMotion.h"
 #include "monoslam_filter/editBelief.h"
 #include "monoslam_filter/ekf.h"
 #include "monoslam_models/quaternion.h"

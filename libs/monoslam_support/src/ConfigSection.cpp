@@ -151,12 +151,17 @@ bool ConfigSection::has(const std::string& key) const
     return file_.keyExists(section_, key);
 }
 
-void ConfigSection::rejectUnknownKeys() const
+std::vector<std::string> ConfigSection::keys() const
 {
     std::vector<std::string> present;
     file_.getAllKeys(section_, present);
+    return present;
+}
+
+void ConfigSection::rejectUnknownKeys() const
+{
     std::vector<std::string> unknown;
-    for (const std::string& key : present)
+    for (const std::string& key : keys())
         if (asked_.count(lowerCase(key)) == 0) unknown.push_back(key);
     if (unknown.empty()) return;
     const std::vector<std::string> known(asked_.begin(), asked_.end());

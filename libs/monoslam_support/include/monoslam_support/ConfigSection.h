@@ -61,6 +61,9 @@ class MONOSLAM_SUPPORT_EXPORT ConfigSection
     [[nodiscard]] bool has(const std::string& key) const;
     [[nodiscard]] const std::string& name() const { return section_; }
 
+    /** All keys of the section as they are written, asked for or not. */
+    [[nodiscard]] std::vector<std::string> keys() const;
+
     /** \throw std::invalid_argument naming every key of the section that no get() asked for. */
     void rejectUnknownKeys() const;
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <exception>
+
+#include "run.h"
+
+int main(int argc, char** argv)
+{
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // so that an error comes after what went before
+    try
+    {
+        return monoslam::run(monoslam::parseArguments(argc, argv));
+    }
+    catch (const std::exception& e)
+    {
+        std::fprintf(stderr, "mono-slam-batch: %s\n", e.what());
+        return 1;
+    }
+}
