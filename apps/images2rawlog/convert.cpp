@@ -45,7 +45,7 @@ void convert(const ConvertOptions& options)
     const CameraFile calibration = readCameraFile(options.cameraFile);
     warnOfIgnoredKeys(options, calibration);
     const ImageSource images = openSource(options.source);
-    std::vector<StampedPose> truth;
+    std::vector<RecordedPose> truth;
     if (!options.truthFile.empty())
         truth = readTruth(options.truthFile, calibration.cameraPose, timesOfAll(options.source));
 

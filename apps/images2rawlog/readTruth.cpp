@@ -28,14 +28,14 @@ CPose3D poseOf(const TableRow& row, QuaternionColumns q)
     return CPose3D(rotation, row.number(1), row.number(2), row.number(3));
 }
 
-StampedPose tumPose(const TableRow& row)
+RecordedPose tumPose(const TableRow& row)
 {
     const auto t = parseSeconds(row.words[0]);
     if (!t) row.fail("not a time: " + row.words[0]);
     return {*t, poseOf(row, {7, 4, 5, 6})};
 }
 
-StampedPose eurocPose(const TableRow& row, const CPose3D& cameraPose)
+RecordedPose eurocPose(const TableRow& row, const CPose3D& cameraPose)
 {
     const auto t = parseNanoseconds(row.words[0]);
     if (!t) row.fail("not a time: " + row.words[0]);
@@ -52,10 +52,10 @@ CPose3D kittiPose(const TableRow& row)
 }
 }  // namespace
 
-std::vector<StampedPose> readTruth(const std::string& file, const CPose3D& cameraPose,
-                                   const std::vector<Ticks>& imageTimes)
+std::vector<RecordedPose> readTruth(const std::string& file, const CPose3D& cameraPose,
+                                    const std::vector<Ticks>& imageTimes)
 {
-    std::vector<StampedPose> poses;
+    std::vector<RecordedPose> poses;
     for (const auto& row : readTable(file))
     {
         const bool isKitti = !row.commas && row.words.size() == 12;
@@ -67,7 +67,7 @@ std::vector<StampedPose> readTruth(const std::string& file, const CPose3D& camer
     }
     if (poses.empty()) throw std::runtime_error(file + ": there are no poses in it");
     std::stable_sort(poses.begin(), poses.end(),
-                     [](const StampedPose& a, const StampedPose& b) { return a.t < b.t; });
+                     [](const RecordedPose& a, const RecordedPose& b) { return a.t < b.t; });
     return poses;
 }
 }  // namespace monoslam

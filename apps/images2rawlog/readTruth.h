@@ -13,7 +13,7 @@ namespace monoslam
  *  image.
  *  \param imageTimes  of KITTI's lines
  *  \throw std::runtime_error naming file and line */
-[[nodiscard]] std::vector<StampedPose> readTruth(const std::string& file,
-                                                 const mrpt::poses::CPose3D& cameraPose,
-                                                 const std::vector<Ticks>& imageTimes);
+[[nodiscard]] std::vector<RecordedPose> readTruth(const std::string& file,
+                                                  const mrpt::poses::CPose3D& cameraPose,
+                                                  const std::vector<Ticks>& imageTimes);
 }  // namespace monoslam

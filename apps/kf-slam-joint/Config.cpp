@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Config.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -95,22 +94,6 @@ void checkMrptSections(Config& config, const std::string& fileName)
     }
 }
 
-void rejectUnknownSections(const CConfigFileMemory& ini, const std::string& fileName)
-{
-    const std::set<std::string> known{kApplication, "RangeBearingKFSLAM",
-                                      "RangeBearingKFSLAM_KalmanFilter", "RangeBearingKFSLAM_Joint",
-                                      "RangeBearingKFSLAM_MHDA"};
-    std::vector<std::string> present;
-    ini.getAllSections(present);
-    const auto unknown =
-        std::find_if(present.begin(), present.end(),
-                     [&](const auto& section) { return known.count(section) == 0; });
-    if (unknown == present.end()) return;
-    std::string message = fileName + ": unknown section [" + *unknown + "]; known:";
-    for (const auto& name : known) message += " " + name;
-    throw std::invalid_argument(message);
-}
-
 void checkInputs(const Config& config)
 {
     if (config.rawlog.empty())
@@ -126,7 +109,10 @@ Config loadConfig(const Arguments& arguments)
 {
     Config config;
     readIni(arguments.configFile, arguments.settings, config.ini);
-    rejectUnknownSections(config.ini, arguments.configFile);
+    rejectUnknownSections(config.ini,
+                          {kApplication, "RangeBearingKFSLAM", "RangeBearingKFSLAM_KalmanFilter",
+                           "RangeBearingKFSLAM_Joint", "RangeBearingKFSLAM_MHDA"},
+                          arguments.configFile);
     readApplication(config, arguments.configFile);
     checkMrptSections(config, arguments.configFile);
     if (!arguments.rawlog.empty()) config.rawlog = arguments.rawlog;

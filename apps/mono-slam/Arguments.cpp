@@ -30,6 +30,10 @@ Arguments parseArguments(int argc, char** argv)
                   "FILE", cmd);
     TCLAP::SwitchArg strategies("", "list-strategies", "Print what each strategy uses, and end",
                                 cmd);
+    Text dump("", "dump-association", "Also write the association problem of every frame", false,
+              "", "DIR", cmd);
+    Text dumpFrames("", "dump-frames", "Only those of these frames, such as 7,100-120", false, "",
+                    "A-B,...", cmd);
     cmd.parse(argc, argv);
 
     Arguments a;
@@ -42,6 +46,8 @@ Arguments parseArguments(int argc, char** argv)
     a.settings = set.getValue();
     a.robotPath = robotPath.getValue();
     a.defaultConfigFile = defaults.getValue();
+    a.dumpFolder = dump.getValue();
+    a.dumpFrames = dumpFrames.getValue();
     a.listStrategies = strategies.getValue();
     a.seed = seed.getValue();
     a.force = force.getValue();

@@ -15,6 +15,8 @@ struct Arguments
     std::vector<std::string> settings;  ///< "section.key=value"
     std::string robotPath;
     std::string defaultConfigFile;  ///< to be written, then nothing else is done
+    std::string dumpFolder;         ///< for association problems
+    std::string dumpFrames;         ///< which of them: "7,100-120"; empty = all
     bool listStrategies = false;    ///< nothing else is done
     unsigned seed = 1;
     bool force = false;

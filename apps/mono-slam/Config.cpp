@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Config.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 
+#include "monoslam_association/chosenAssociator.h"
 #include "monoslam_support/ConfigSection.h"
 #include "monoslam_support/readIni.h"
 
@@ -16,37 +16,13 @@ using mrpt::config::CConfigFileMemory;
 
 namespace
 {
-[[noreturn]] void rejectSection(const std::string& section, const std::set<std::string>& known,
-                                const std::string& fileName)
+std::set<std::string> knownSections()
 {
-    std::string list;
-    for (const auto& name : known) list.append(" ").append(name);
-    throw std::invalid_argument(fileName + ": unknown section [" + section + "]; known:" + list);
-}
-
-void rejectUnknownSections(const CConfigFileMemory& file, const std::string& fileName)
-{
-    std::set<std::string> known{"rawlog",         "camera", "output",       "motion", "search",
-                                "detection",      "map",    "metric_start", "filter", "association",
-                                "initialization", "start"};
-    for (const auto& name : associatorNames()) known.insert("association." + name);
-    std::vector<std::string> shipped, present;
+    std::set<std::string> known = associationSections();
+    std::vector<std::string> shipped;
     CConfigFileMemory(std::string(defaultConfig())).getAllSections(shipped);
     known.insert(shipped.begin(), shipped.end());
-    file.getAllSections(present);
-    for (const auto& section : present)
-        if (known.count(section) == 0) rejectSection(section, known, fileName);
-}
-
-/** The chosen strategy; the sections of the others are checked by making them as well. */
-std::unique_ptr<Associator> readAssociator(const CConfigFileMemory& file,
-                                           const std::string& fileName)
-{
-    for (const auto& name : associatorNames())
-        if (file.sectionExists("association." + name))
-            static_cast<void>(makeAssociator(name, file, fileName));
-    ConfigSection section(file, "association", fileName);
-    return makeAssociator(section.get("strategy", "hohct"), file, fileName);
+    return known;
 }
 
 void completeRawlogPath(Config& config, const Arguments& arguments)
@@ -89,7 +65,7 @@ Config loadConfig(const Arguments& arguments)
     config.fileName = arguments.configFile;
     CConfigFileMemory file;
     readIni(config.fileName, arguments.settings, file);
-    rejectUnknownSections(file, config.fileName);
+    rejectUnknownSections(file, knownSections(), config.fileName);
     const auto section = [&](const char* name)
     { return ConfigSection(file, name, config.fileName); };
     config.rawlog = RawlogOptions::from(section("rawlog"));
@@ -97,7 +73,7 @@ Config loadConfig(const Arguments& arguments)
     config.output = OutputOptions::from(section("output"));
     config.slam = MonoSlamOptions::from(file, config.fileName);
     config.slam.estimateReadout = config.camera.estimateReadout;
-    config.associator = readAssociator(file, config.fileName);
+    config.associator = chosenAssociator(file, config.fileName);
     if (config.slam.engine == EngineName::Mrpt && !config.associator->updatesByEngine())
         throw std::invalid_argument(
             config.fileName + ": [filter] engine = mrpt: not with [association] strategy = " +

@@ -62,7 +62,7 @@ RunOutputs::RunOutputs(const Config& config, const Arguments& arguments, const R
     if (options_.pictures) std::filesystem::create_directories(folder_ + "/pictures");
 }
 
-void RunOutputs::writeTruth(const std::vector<StampedPose>& poses) const
+void RunOutputs::writeTruth(const std::vector<RecordedPose>& poses) const
 {
     std::string lines;
     for (const auto& pose : poses) lines += tumLine(seconds(pose.t), toVector(pose.pose));

@@ -27,7 +27,7 @@ class RunOutputs
 
    private:
     void addPicture(const Frame& frame, const FrameReport& report, const MonoSlam& slam);
-    void writeTruth(const std::vector<StampedPose>& poses) const;
+    void writeTruth(const std::vector<RecordedPose>& poses) const;
 
     std::string folder_;
     OutputOptions options_;

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 #include "Config.h"
+#include "ProblemDump.h"
 #include "Progress.h"
 #include "RunOutputs.h"
 #include "monoslam_association/strategyTable.h"
@@ -25,14 +25,6 @@ void onInterrupt(int signal)
 {
     interrupted = 1;
     std::signal(signal, SIG_DFL);
-}
-
-void writeDefaultConfig(const Arguments& arguments)
-{
-    const std::string& file = arguments.defaultConfigFile;
-    if (file != "/dev/stdout" && std::ifstream(file) && !arguments.force)
-        throw std::runtime_error(file + ": exists; use --force to replace it");
-    OutputFile(file).write(defaultConfig());
 }
 
 void describe(const RawlogReader& reader, const Config& config)
@@ -83,7 +75,7 @@ int run(const Arguments& arguments)
 {
     if (!arguments.defaultConfigFile.empty())
     {
-        writeDefaultConfig(arguments);
+        writeTextFile(arguments.defaultConfigFile, defaultConfig(), arguments.force);
         return 0;
     }
     registerMrptAssociators();
@@ -96,6 +88,7 @@ int run(const Arguments& arguments)
         throw std::invalid_argument("no CONFIG.ini is given; see --help");
     Config config = loadConfig(arguments);
     checkOutputFolder(config.output.directory, arguments.force);
+    ProblemDump dump(arguments.dumpFolder, arguments.dumpFrames, arguments.force);
     RawlogReader reader(config.rawlog, config.camera);
     MonoSlam slam(config.slam, Camera(reader.camera()), std::move(config.associator),
                   arguments.seed, makeEngine(config.slam.engine));
@@ -104,6 +97,7 @@ int run(const Arguments& arguments)
     if (arguments.dryRun) return 0;
 
     RunOutputs outputs(config, arguments, reader);
+    dump.attachTo(slam);
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
     try

@@ -82,6 +82,7 @@ BENCHMARK(factorizeAndInvert)->Apply(sizes);
 BENCHMARK_CAPTURE(hohct, greedy, SubsetSearch::Greedy)->Apply(sizes);
 BENCHMARK_CAPTURE(hohct, automatic, SubsetSearch::Automatic)->Apply(sizes);
 BENCHMARK_CAPTURE(hohct, removal, SubsetSearch::Removal)->Apply(sizes);
+BENCHMARK_CAPTURE(hohct, reinsertion, SubsetSearch::Reinsertion)->Apply(sizes);
 BENCHMARK_CAPTURE(hohct, branch_and_bound, SubsetSearch::BranchAndBound)->Apply(sizes);
 BENCHMARK_CAPTURE(hohct, downdate, SubsetSearch::Downdate)->Args({12, 1})->Args({12, 2});
 BENCHMARK_CAPTURE(hohct, printed, SubsetSearch::Printed)->Args({12, 1})->Args({12, 2});

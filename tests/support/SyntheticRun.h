@@ -7,9 +7,9 @@
 
 #include "monoslam_eval/SyntheticWorld.h"
 #include "monoslam_eval/consistency.h"
+#include "monoslam_eval/drawMotion.h"
 #include "monoslam_filter/editBelief.h"
 #include "monoslam_filter/secondOrderNoise.h"
-#include "monoslam_models/quaternion.h"
 
 namespace monoslam
 {

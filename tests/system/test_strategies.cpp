@@ -108,6 +108,28 @@ TEST(Strategies, SecondPapersSettingsFollowTheShippedSequence)
     EXPECT_EQ(figure(folder / "out/figures.json", "frames_lost"), 0.0);
 }
 
+TEST(Strategies, MrptsJcbbIsEndedAtItsCapAndTheReportSaysSo)
+{
+    const TemporaryFolder folder;
+    const std::string jcbb = kDesk + kShort + strategy("jcbb_mrpt") +
+                             " --set association.jcbb_mrpt.max_candidates=5"
+                             " --set association.jcbb_mrpt.time_cap_s=";
+    run(jcbb + "0.0001", folder / "capped");
+    run(jcbb + "100", folder / "whole");
+    const std::string frames = folder / "capped/frames.csv";
+    const auto capped = column(frames, "capped"), proved = column(frames, "proved");
+    double all = 0.0;
+    for (std::size_t i = 0; i < capped.size(); ++i)
+    {
+        EXPECT_EQ(proved[i], capped[i] > 0.0 ? 0.0 : 1.0) << i;
+        all += capped[i];
+    }
+    EXPECT_GT(all, 10.0);
+    EXPECT_EQ(figure(folder / "capped/summary.json", "capped"), all);
+    EXPECT_GT(figure(folder / "capped/summary.json", "frames_not_proved"), 0.0);
+    EXPECT_EQ(figure(folder / "whole/summary.json", "capped"), 0.0);
+}
+
 TEST(Strategies, RefuseMrptsFilterWhereTheyCorrectPixelByPixel)
 {
     const TemporaryFolder folder;

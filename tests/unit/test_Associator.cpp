@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "associatorRuns.h"
@@ -131,70 +133,54 @@ TEST_P(AssociatorContract, MeasuresAtMostWhatItIsTold)
     EXPECT_EQ(all.counters.searches, 40 * static_cast<long>(all.mixture.size()));
 }
 
+TEST_P(AssociatorContract, IgnoresTheOrderOfTheCandidates)
+{
+    LinearWorld world = LinearWorld::withLandmarks(20, 15);
+    for (auto& [id, candidates] : world.seen)
+        for (int c = 1; c < 4; ++c)
+        {
+            const double angle = 2.1 * c + 0.7 * static_cast<double>(id);
+            const Eigen::Vector2d off = 5.0 * c * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            candidates.push_back({candidates.front().z + off, 0.89 - 0.03 * c, world.R()});
+        }
+    const auto associator = makeAssociator(GetParam(), mrpt::config::CConfigFileMemory(""));
+    const auto correct = [&](unsigned order)
+    {
+        FrameView view = world.view();
+        std::mt19937 shuffling(order), rng(7);
+        view.search = [&](SearchRegion region)
+        {
+            region.maxCandidates = 100;
+            SearchResult found = world.search(region);
+            if (order > 0)
+                std::shuffle(found.candidates.begin(), found.candidates.end(), shuffling);
+            return found;
+        };
+        return associator->correct({{world.belief, 0.0}}, view, rng);
+    };
+    const Correction sorted = correct(0);
+    expectSound(sorted, world);
+    for (const unsigned order : {1U, 2U, 3U})
+    {
+        const Correction shuffled = correct(order);
+        EXPECT_EQ(best(sorted.mixture).x, best(shuffled.mixture).x);
+        for (const Association& record : sorted.associations)
+        {
+            EXPECT_EQ(record.fate, recordOf(shuffled, record.id).fate) << record.id;
+            EXPECT_EQ(record.z, recordOf(shuffled, record.id).z) << record.id;
+        }
+    }
+}
+
+TEST_P(AssociatorContract, HandlesCandidatesThatAreTheSame)
+{
+    LinearWorld world = LinearWorld::withLandmarks(12, 16);
+    for (auto& [id, candidates] : world.seen) candidates.resize(3, candidates.front());
+    const Correction correction = run(GetParam(), world);
+    expectSound(correction, world);
+    EXPECT_GE(count(correction, Fate::Matched), 9);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, AssociatorContract, testing::ValuesIn(associatorNames()),
                          [](const auto& tested) { return tested.param; });
-
-TEST(JointStrategies, RejectWhatNearestNeighboursBelieve)
-{
-    LinearWorld world = LinearWorld::withLandmarks(30, 10);
-    for (const LandmarkId id : {2, 9, 17, 28}) world.displace(id, {-9.0, 10.0});
-    for (const char* name : {"jcbb", "hohct"})
-    {
-        const Correction correction = run(name, world, "first_stage_landmarks = 0");
-        for (const LandmarkId id : {2, 9, 17, 28})
-            EXPECT_EQ(recordOf(correction, id).fate, Fate::Rejected) << name;
-        EXPECT_EQ(count(correction, Fate::Matched), 26) << name;
-        EXPECT_EQ(correction.counters.jointSearches, 1);
-    }
-    EXPECT_EQ(run("none", world, "first_stage_landmarks = 0").counters.rejected, 0);
-}
-
-TEST(BatchAssociator, ShrinksTheRegionsOfTheSecondStage)
-{
-    const LinearWorld world = LinearWorld::withLandmarks(30, 11);
-    const Correction one = run("hohct", world, "first_stage_landmarks = 0");
-    const Correction two = run("hohct", world);
-    double areaOne = 0.0, areaTwo = 0.0;
-    for (const Association& record : one.associations) areaOne += std::sqrt(record.S.determinant());
-    for (const Association& record : two.associations) areaTwo += std::sqrt(record.S.determinant());
-    EXPECT_LT(areaTwo, 0.5 * areaOne);
-    EXPECT_GE(count(two, Fate::Matched), count(one, Fate::Matched) - 1);
-}
-
-TEST(BatchAssociator, SpatialChoosesTheNearestAndAppearanceTheBest)
-{
-    LinearWorld world = LinearWorld::withLandmarks(1, 12);
-    const Eigen::Vector2d h = world.predict(world.belief).rows[0].h;
-    const Eigen::Vector2d near = h + Eigen::Vector2d(1.0, 0.0), far = h - Eigen::Vector2d(9.0, 9.0);
-    world.seen[0] = {{far, 0.95, world.R()}, {near, 0.85, world.R()}};
-    EXPECT_EQ(run("spatial_nn", world).associations[0].z, near);
-    EXPECT_EQ(run("appearance_nn", world).associations[0].z, far);
-}
-
-TEST(MakeAssociator, GivesNoneTheBitsOfAppearance)
-{
-    const LinearWorld world = LinearWorld::withLandmarks(20, 13);
-    const Correction a = run("none", world), b = run("appearance_nn", world);
-    EXPECT_EQ(best(a.mixture).x, best(b.mixture).x);
-    EXPECT_EQ(best(a.mixture).P, best(b.mixture).P);
-}
-
-TEST(MakeAssociator, NamesWhatItKnowsAndWhatItDoesNot)
-{
-    try
-    {
-        const auto made = makeAssociator("nearest", mrpt::config::CConfigFileMemory(""));
-        FAIL() << "made an unknown strategy";
-    }
-    catch (const std::invalid_argument& error)
-    {
-        const std::string message = error.what();
-        for (const std::string& name : associatorNames())
-            EXPECT_NE(message.find(name), std::string::npos);
-    }
-    const LinearWorld world = LinearWorld::withLandmarks(1, 14);
-    EXPECT_THROW(run("hohct", world, "gate = 0.95"), std::invalid_argument);
-    EXPECT_THROW(run("hohct", world, "[association.hohct]\ntau = 2"), std::invalid_argument);
-    EXPECT_THROW(run("jcbb", world, "[association.jcbb]\nbound = perhaps"), std::invalid_argument);
-}
 }  // namespace monoslam::test

@@ -9,9 +9,9 @@ namespace monoslam::test
 {
 namespace
 {
-constexpr SubsetSearch kExact[] = {SubsetSearch::Printed, SubsetSearch::Downdate,
+constexpr SubsetSearch kExact[] = {SubsetSearch::Printed,        SubsetSearch::Downdate,
                                    SubsetSearch::BranchAndBound, SubsetSearch::Removal,
-                                   SubsetSearch::Automatic};
+                                   SubsetSearch::Reinsertion,    SubsetSearch::Automatic};
 const SubsetBudget kUnlimited{1e12, 1000000000};
 const Chi2Table kTable(0.95, 100);
 }  // namespace

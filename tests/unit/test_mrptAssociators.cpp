@@ -65,7 +65,67 @@ TEST(JcbbMrpt, ChoosesTheNearerCandidateOfItsOwnLandmark)
         run("jcbb_mrpt", world,
             "first_stage_landmarks = 0\n[association.jcbb_mrpt]\nmax_candidates = 2");
     EXPECT_EQ(recordOf(correction, 1).fate, Fate::Matched);
-    EXPECT_THROW(run("jcbb_mrpt", world, "[association.jcbb_mrpt]\nmax_candidates = 9"),
+    EXPECT_THROW(run("jcbb_mrpt", world, "[association.jcbb_mrpt]\nmax_candidates = 101"),
                  std::invalid_argument);
+}
+namespace
+{
+/** Every landmark with five candidates in its ellipse: MRPT would try 5^25 assignments. */
+LinearWorld crowdedWorld(int landmarks)
+{
+    LinearWorld world = LinearWorld::withLandmarks(landmarks, 14);
+    for (auto& [id, candidates] : world.seen)
+        for (int c = 1; c < 5; ++c)
+        {
+            const double angle = 1.1 * c + 0.3 * static_cast<double>(id);
+            const Eigen::Vector2d off = 4.0 * c * Eigen::Vector2d(cos(angle), sin(angle));
+            candidates.push_back({candidates.front().z + off, 0.9 - 0.01 * c, world.R()});
+        }
+    return world;
+}
+
+const std::string kFiveCandidates =
+    "first_stage_landmarks = 0\nfinal_gate_probability = 1\n[association.jcbb_mrpt]\n"
+    "max_candidates = 5\n";
+}  // namespace
+
+TEST(JcbbMrpt, TakesTheNearestCandidatesWhenItsTimeIsOverAndSaysSo)
+{
+    const LinearWorld world = crowdedWorld(25);
+    const Correction capped = run("jcbb_mrpt", world, kFiveCandidates + "time_cap_s = 0.02");
+    EXPECT_EQ(capped.counters.capped, 1);
+    EXPECT_FALSE(capped.counters.provedOptimal);
+    EXPECT_GE(capped.counters.otherThreadsMs, 10.0);
+    EXPECT_LT(capped.counters.otherThreadsMs, 500.0);
+    expectSound(capped, world);
+    const Correction nearest = run("spatial_nn", world, "first_stage_landmarks = 0");
+    for (const Association& record : capped.associations)
+    {
+        if (record.fate != Fate::Matched) continue;
+        EXPECT_EQ(record.z, recordOf(nearest, record.id).z) << record.id;
+    }
+    EXPECT_GT(count(capped, Fate::Matched), 15);
+}
+
+TEST(JcbbMrpt, GivesOneFrameOneCapForAllItsSearches)
+{
+    const Correction stages =
+        run("jcbb_mrpt", crowdedWorld(40),
+            "first_stage_distance_px = 20\n[association.jcbb_mrpt]\nmax_candidates = 5\n"
+            "time_cap_s = 0.02");
+    EXPECT_GT(stages.counters.capped, 1);
+    EXPECT_LT(stages.counters.otherThreadsMs, 60.0);
+}
+
+TEST(JcbbMrpt, FindsTheSameInAChildAndInThisProcess)
+{
+    const LinearWorld world = crowdedWorld(4);
+    const Correction child = run("jcbb_mrpt", world, kFiveCandidates + "time_cap_s = 100");
+    const Correction here = run("jcbb_mrpt", world, kFiveCandidates + "time_cap_s = 0");
+    EXPECT_EQ(child.counters.capped, 0);
+    EXPECT_TRUE(child.counters.provedOptimal);
+    EXPECT_GT(here.counters.nodes, 0);
+    EXPECT_EQ(child.counters.nodes, here.counters.nodes);
+    EXPECT_EQ(best(child.mixture).x, best(here.mixture).x);
 }
 }  // namespace monoslam::test

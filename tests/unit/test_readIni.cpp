@@ -42,5 +42,20 @@ TEST(ReadIni, NamesTheFileOrTheSettingThatIsWrong)
             EXPECT_NE(std::string(error.what()).find(setting), std::string::npos);
         }
 }
+
+TEST(RejectUnknownSections, NamesThemAndTheKnownOnes)
+{
+    const mrpt::config::CConfigFileMemory ini("[one]\na = 1\n[twoo]\nb = 1\n");
+    EXPECT_NO_THROW(rejectUnknownSections(ini, {"one", "twoo", "three"}, "a.ini"));
+    try
+    {
+        rejectUnknownSections(ini, {"one", "two"}, "a.ini");
+        FAIL();
+    }
+    catch (const std::invalid_argument& error)
+    {
+        EXPECT_STREQ(error.what(), "a.ini: unknown section [twoo]; known: one two");
+    }
+}
 }  // namespace
 }  // namespace monoslam::test

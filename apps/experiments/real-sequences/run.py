@@ -12,76 +12,27 @@ Finished runs are kept, so that an interrupted call goes on where it was.
 """
 import argparse
 import concurrent.futures
-import json
 import os
 import statistics
-import subprocess
 import sys
 
-ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), *[os.pardir] * 3))
-BOARD = ["metric_start.method=chessboard", "metric_start.chessboard_inner_corners=9 6",
-         "metric_start.chessboard_square_m=0.04"]
-# name: (alignment, must [mm], must [deg], settings)
-SEQUENCES = {
-    "chessboard_desk": ("SE3", 5.0, 0.5, BOARD),
-    "living_room": ("Sim3", 6.0, 0.4, []),
-    "red_kitchen": ("Sim3", 45.0, 3.2, []),
-    "phone_desk": (None, 1.0, None, []),
-    "fr1_rpy": ("Sim3", None, 15.0, []),
-}
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "common"))
+from sequences import (ROOT, SEQUENCES, add_arguments, error, make_rawlog,  # noqa: E402
+                       readout_s, run_once, settings_as_arguments)
+
 SEEDS = [(0, 1, seed) for seed in range(1, 6)]
 STARTS = [(first, 1, 1) for first in [*range(1, 11), 20, 30, 40]] + [(0, 2, 1)]
 
 
-def program(name):
-    return os.path.join(ROOT, "build", "release", "bin", name)
-
-
-def call(*command):
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode:
-        sys.exit(f"{' '.join(command)}\n{done.stderr}")
-
-
-def make_rawlog(name, args):
-    rawlog = os.path.join(args.output, name + ".rawlog")
-    folder = os.path.join(args.datasets, name)
-    truth = os.path.join(folder, "groundtruth.txt")
-    if not os.path.exists(rawlog):
-        call(program("images2rawlog"), "--format", "tum", "--input", folder, "--camera",
-             os.path.join(folder, "camera.yaml"), "--output", rawlog, "--force",
-             *(["--groundtruth", truth] if os.path.exists(truth) else []))
-    return rawlog
-
-
-def readout_s(name, args):
-    """Of the camera's shutter, to a millisecond, by a run of its own over the whole sequence."""
-    output = os.path.join(args.output, f"{name}_readout")
-    summary = os.path.join(output, "summary.json")
-    if not os.path.exists(summary):
-        settings = [*SEQUENCES[name][3], "camera.estimate_readout=true"]
-        call(program("mono-slam"), os.path.join(ROOT, "config", "default.ini"),
-             os.path.join(args.output, name + ".rawlog"), "--output", output, "--force",
-             *[word for s in settings for word in ("--set", s)])
-    with open(summary) as stream:
-        return round(json.load(stream)["readout_s"], 3)
-
-
 def run(name, variant, readout, args):
     first, every, seed = variant
-    output = os.path.join(args.output, f"{name}_{first}_{every}_{seed}")
-    figures = os.path.join(output, "figures.json")
-    truth = os.path.join(args.datasets, name, "groundtruth.txt")
-    if not os.path.exists(figures):
-        settings = [*SEQUENCES[name][3], f"rawlog.first_frame={first}", f"rawlog.every_nth={every}",
-                    f"camera.readout_s={readout}"]
-        call(program("mono-slam"), os.path.join(ROOT, "config", "default.ini"),
-             os.path.join(args.output, name + ".rawlog"), "--output", output, "--force", "--seed",
-             str(seed), *[word for s in settings for word in ("--set", s)])
-        mode = ["--groundtruth", truth] if os.path.exists(truth) else ["--out-and-back"]
-        call(program("mono-slam-eval"), *mode, output, "--json", figures)
-    with open(figures) as stream:
-        return json.load(stream)[0]
+    settings = [*SEQUENCES[name][3], f"rawlog.first_frame={first}", f"rawlog.every_nth={every}",
+                f"camera.readout_s={readout}"]
+    return run_once(os.path.join(args.output, f"{name}_{first}_{every}_{seed}"),
+                    os.path.join(ROOT, "config", "default.ini"),
+                    os.path.join(args.output, name + ".rawlog"),
+                    os.path.join(args.datasets, name, "groundtruth.txt"),
+                    ["--seed", str(seed), *settings_as_arguments(settings)])
 
 
 def spread(values, digits=1):
@@ -89,12 +40,6 @@ def spread(values, digits=1):
     if not values:
         return "-"
     return f"{statistics.median(values):.{digits}f} / {max(values, key=abs):.{digits}f}"
-
-
-def error(name, figures):
-    """The sequence's own figure: mm after its alignment, or the gap in percent of the length."""
-    alignment = SEQUENCES[name][0]
-    return figures[f"{alignment}_ate_rmse_mm"] if alignment else figures["gap_pct"]
 
 
 def rotation(name, figures):
@@ -135,11 +80,8 @@ HEADER = """| sequence | readout [ms] | figure | 5 seeds: median / worst | rotat
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--datasets", default=os.environ.get(
-        "MONOSLAM_DATASETS", os.path.join(ROOT, os.pardir, "shared", "datasets")))
-    parser.add_argument("--output", default=os.path.join(ROOT, "build", "real-sequences"))
+    add_arguments(parser, "real-sequences")
     parser.add_argument("--only", nargs="+", choices=SEQUENCES, default=list(SEQUENCES))
-    parser.add_argument("--jobs", type=int, default=2)
     args = parser.parse_args()
     if not os.path.isdir(args.datasets):
         sys.exit(f"{args.datasets}: no such folder; name it by --datasets or MONOSLAM_DATASETS")

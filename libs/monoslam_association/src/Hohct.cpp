@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+#include <utility>
+
 #include "monoslam_association/BatchAssociator.h"
 #include "monoslam_association/jointCompatibility.h"
+#include "monoslam_association/largestCompatibleAssignment.h"
 #include "monoslam_association/largestCompatibleSubset.h"
 #include "monoslam_support/ConfigSection.h"
 #include "strategies.h"
@@ -16,6 +20,8 @@ struct HohctOptions
     SubsetSearch search = SubsetSearch::Automatic;
     int dofPerPair = 2;  ///< 1 is what the paper prints: right sets then fail too often
     SubsetBudget budget;
+    int maxCandidates = 1;
+    long assignmentNodes = 20000;  ///< cap of the search over several candidates
 
     static HohctOptions from(const IniFile& file, const std::string& fileName);
 };
@@ -31,12 +37,40 @@ HohctOptions HohctOptions::from(const IniFile& file, const std::string& fileName
                                           {"downdate", SubsetSearch::Downdate},
                                           {"branch_and_bound", SubsetSearch::BranchAndBound},
                                           {"removal", SubsetSearch::Removal},
+                                          {"reinsertion", SubsetSearch::Reinsertion},
                                           {"greedy", SubsetSearch::Greedy}});
     o.dofPerPair = section.get<int>("dof", o.dofPerPair, {{"twice_pairs", 2}, {"pairs", 1}});
     o.budget.subsets = section.get("subset_cap", o.budget.subsets, {1.0, 1e12});
     o.budget.nodes = section.get("node_cap", static_cast<int>(o.budget.nodes), {1.0, 1e9});
+    const double time_ms = section.get("time_cap_ms", 0.0, {0.0, 1e6});
+    if (time_ms > 0.0) o.budget.time_ms = time_ms;
+    o.maxCandidates = section.get("max_candidates", o.maxCandidates, {1.0, 100.0});
+    o.assignmentNodes =
+        section.get("assignment_node_cap", static_cast<int>(o.assignmentNodes), {1.0, 1e9});
     section.rejectUnknownKeys();
     return o;
+}
+
+/** The pairs of a frame; a pixel can be used once, whichever landmarks it looks like. */
+AssignmentProblem assignmentProblem(const AssociationProblem& problem)
+{
+    AssignmentProblem assignment;
+    assignment.HPHt = problem.prediction->HPHt;
+    std::map<std::pair<double, double>, Eigen::Index> pixels;
+    for (std::size_t i = 0; i < problem.rows.size(); ++i)
+    {
+        const Eigen::Index row = problem.rows[i];
+        const auto& h = problem.prediction->rows[static_cast<std::size_t>(row)].h;
+        assignment.items.emplace_back();
+        for (const Candidate& candidate : problem.candidates[i])
+        {
+            const auto next = static_cast<Eigen::Index>(pixels.size());
+            const auto use = pixels.emplace(std::pair(candidate.z.x(), candidate.z.y()), next);
+            assignment.items.back().push_back(
+                {row, use.first->second, candidate.z - h, candidate.R});
+        }
+    }
+    return assignment;
 }
 
 /** Highest-order hypothesis compatibility test: the largest jointly compatible subset. */
@@ -58,9 +92,32 @@ class Hohct : public BatchAssociator
 
    private:
     [[nodiscard]] bool validatesJointly() const override { return true; }
+    [[nodiscard]] int maxCandidates() const override { return options_.maxCandidates; }
 
     [[nodiscard]] std::vector<int> select(const AssociationProblem& problem,
                                           AssociationCounters& counters) const override
+    {
+        return options_.maxCandidates > 1 ? selectAmongSeveral(problem, counters)
+                                          : selectSubset(problem, counters);
+    }
+
+    [[nodiscard]] std::vector<int> selectAmongSeveral(const AssociationProblem& problem,
+                                                      AssociationCounters& counters) const
+    {
+        AssignmentProblem assignment = assignmentProblem(problem);
+        const auto items = static_cast<Eigen::Index>(assignment.items.size());
+        for (Eigen::Index kept = 0; kept <= items; ++kept)
+            assignment.limits.push_back(limits_(options_.dofPerPair * kept));
+        const AssignmentResult result =
+            largestCompatibleAssignment(assignment, options_.assignmentNodes);
+        counters.jointSearches += result.pairs < items ? 1 : 0;
+        counters.nodes += result.nodes;
+        counters.provedOptimal = counters.provedOptimal && result.proved;
+        return result.chosen;
+    }
+
+    [[nodiscard]] std::vector<int> selectSubset(const AssociationProblem& problem,
+                                                AssociationCounters& counters) const
     {
         std::vector<PixelMeasurement> pixels;
         for (std::size_t i = 0; i < problem.rows.size(); ++i)

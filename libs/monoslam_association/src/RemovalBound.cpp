@@ -2,132 +2,146 @@
 #include "RemovalBound.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "subsetSearches.h"
 
 namespace monoslam
 {
-namespace
+void RemovalBound::measure(const PairMatrix& Lam, const PairVector& gt)
 {
-/** Sets this close to the threshold are not excluded: the bound is rounded too. */
-constexpr double kPruneMargin = 1e-9;
-
-/** Inverse of the Cholesky factor of a 2 x 2 block. */
-Eigen::Matrix2d inverseFactor(const Eigen::Matrix2d& A)
-{
-    const double a = std::sqrt(A(0, 0));
-    const double b = A(1, 0) / a;
-    const double c = std::sqrt(std::max(A(1, 1) - b * b, 1e-300));
-    Eigen::Matrix2d G_inverse;
-    G_inverse << 1.0 / a, 0.0, -b / (a * c), 1.0 / c;
-    return G_inverse;
-}
-
-double spectralNorm(const Eigen::Matrix2d& C)
-{
-    const double half = 0.5 * C.squaredNorm();
-    const double determinant = C(0, 0) * C(1, 1) - C(0, 1) * C(1, 0);
-    const double root = std::sqrt(std::max(half * half - determinant * determinant, 0.0));
-    return std::sqrt(half + root);
-}
-/** Puts a value into a falling list in place of its last one. */
-void insert(std::vector<double>& falling, double value)
-{
-    std::size_t at = falling.size() - 1;
-    for (; at > 0 && falling[at - 1] < value; --at) falling[at] = falling[at - 1];
-    falling[at] = value;
-}
-}  // namespace
-
-void RemovalBound::measure(const Eigen::MatrixXd& Lam, const Eigen::VectorXd& gt, Eigen::Index n)
-{
-    const auto count = static_cast<std::size_t>(n);
-    w_.resize(count);
-    sigma_.assign(count, 1.0);
-    if (sums_.size() < count) sums_.resize(count);
-    if (N_.rows() < n) N_.resize(n, n);
-    open_.resize(count);
+    const Eigen::Index n = Lam.size();
+    if (N_.rows() < n)
+    {
+        N_.resize(n, n);
+        G_inverse_.resize(n, 3);
+        C_.resize(n, 4);
+        w_.resize(n);
+        values_.resize(n);
+        squares_.resize(n);
+    }
+    open_.resize(static_cast<std::size_t>(n));
     std::iota(open_.begin(), open_.end(), Eigen::Index{0});
-    G_inverse_.resize(count);
+    summed_ = 0;
     for (Eigen::Index j = 0; j < n; ++j)
     {
-        const auto index = static_cast<std::size_t>(j);
-        G_inverse_[index] = inverseFactor(Lam.block<2, 2>(2 * j, 2 * j));
-        w_[index] = (G_inverse_[index] * gt.segment<2>(2 * j)).squaredNorm();
-        for (Eigen::Index l = 0; l < j; ++l)
-        {
-            const Eigen::Matrix2d C = G_inverse_[index] * Lam.block<2, 2>(2 * j, 2 * l) *
-                                      G_inverse_[static_cast<std::size_t>(l)].transpose();
-            N_(j, l) = N_(l, j) = spectralNorm(C);
-        }
+        const double a = 1.0 / std::sqrt(Lam.plane(0, 0)(j, j));
+        const double b = Lam.plane(1, 0)(j, j) * a;
+        const double c = 1.0 / std::sqrt(std::max(Lam.plane(1, 1)(j, j) - b * b,
+                                                  std::numeric_limits<double>::min()));
+        G_inverse_.row(j) << a, -a * b * c, c;
+        const double u0 = a * gt(j, 0);
+        const double u1 = c * (gt(j, 1) - b * u0);
+        w_(j) = u0 * u0 + u1 * u1;
     }
+    for (Eigen::Index j = 0; j < n; ++j) coupleWithLater(Lam, j);
+    for (Eigen::Index j = 0; j < n; ++j) squares_(j) = N_.col(j).head(n).squaredNorm();
+    strongest_ = open_;
+    std::sort(strongest_.begin(), strongest_.end(),
+              [this](Eigen::Index a, Eigen::Index b) { return squares_(a) > squares_(b); });
+}
+
+/** N_lj = sqrt(f + sqrt(f^2 - det^2)), 2 f the sum of squares of C_lj, for all l > j. */
+void RemovalBound::coupleWithLater(const PairMatrix& Lam, Eigen::Index j)
+{
+    const Eigen::Index n = Lam.size() - j - 1;
+    const double a = G_inverse_(j, 0), b = G_inverse_(j, 1), c = G_inverse_(j, 2);
+    const Eigen::Ref<const Eigen::ArrayXd> g00 = G_inverse_.col(0).segment(j + 1, n);
+    const Eigen::Ref<const Eigen::ArrayXd> g10 = G_inverse_.col(1).segment(j + 1, n);
+    const Eigen::Ref<const Eigen::ArrayXd> g11 = G_inverse_.col(2).segment(j + 1, n);
+    for (Eigen::Index row = 0; row < 2; ++row)
+    {
+        const PairMatrix::ConstPlane left = Lam.plane(row, 0), right = Lam.plane(row, 1);
+        C_.col(row).head(n) = a * left.col(j).tail(n).array();
+        C_.col(2 + row).head(n) =
+            b * left.col(j).tail(n).array() + c * right.col(j).tail(n).array();
+    }
+    Eigen::Ref<Eigen::ArrayXd> c00 = C_.col(0).head(n), c10 = C_.col(1).head(n);
+    Eigen::Ref<Eigen::ArrayXd> c01 = C_.col(2).head(n), c11 = C_.col(3).head(n);
+    c10 = g10 * c00 + g11 * c10;
+    c11 = g10 * c01 + g11 * c11;
+    c00 *= g00;
+    c01 *= g00;
+    Eigen::Ref<Eigen::ArrayXd> N = N_.col(j).segment(j + 1, n).array();
+    N = c00 * c11 - c01 * c10;
+    c00 = 0.5 * (c00.square() + c01.square() + c10.square() + c11.square());
+    N = (c00 + (c00.square() - N.square()).max(0.0).sqrt()).sqrt();
+    N_(j, j) = 0.0;
+    N_.row(j).segment(j + 1, n) = N_.col(j).segment(j + 1, n).transpose();
+}
+
+void RemovalBound::close(Eigen::Index j)
+{
+    strongest_.erase(std::find(strongest_.begin(), strongest_.end(), j));
+    for (const Eigen::Index l : open_)
+        if (N_(l, j) >= least_(l)) known_[static_cast<std::size_t>(l)] = 0;
 }
 
 void RemovalBound::drop(Eigen::Index j)
 {
     open_.erase(std::find(open_.begin(), open_.end(), j));
+    close(j);
 }
 
-void RemovalBound::couplings(std::size_t most)
+void RemovalBound::sumLargest(Eigen::Index j)
 {
-    for (const Eigen::Index j : open_)
-    {
-        auto& largest = sums_[static_cast<std::size_t>(j)];
-        largest.assign(most, 0.0);
-        for (const Eigen::Index l : open_)
-            if (l != j && N_(l, j) > largest.back()) insert(largest, N_(l, j));
-        std::partial_sum(largest.begin(), largest.end(), largest.begin());
-        sigma_[static_cast<std::size_t>(j)] = 1.0 - largest.back();
-    }
+    largest_.assign(static_cast<std::size_t>(summed_), 0.0);
+    for (const Eigen::Index l : strongest_)
+        if (N_(l, j) > largest_.back() && l != j) insertFalling(largest_, N_(l, j));
+    double sum = 0.0;
+    for (Eigen::Index x = 0; x < summed_; ++x)
+        sums_(x, j) = sum += largest_[static_cast<std::size_t>(x)];
+    least_(j) = largest_.back();
+    known_[static_cast<std::size_t>(j)] = 1;
 }
 
-/** Marks the pairs that may be among x removals that gain \p needed; false if no x can. */
-bool RemovalBound::markReachable(double needed, std::size_t x)
+void RemovalBound::couple(Eigen::Index most)
 {
-    if (x > open_.size()) return false;
-    values_.clear();
-    for (const Eigen::Index j : open_)
+    if (summed_ < most - 1)
     {
-        const double sigma = 1.0 - sums_[static_cast<std::size_t>(j)][x - 2];
-        if (sigma <= 0.0)
-        {
-            std::fill(reachable_.begin(), reachable_.end(), char{1});
-            return true;
-        }
-        values_.push_back(w_[static_cast<std::size_t>(j)] / sigma);
+        summed_ = most - 1;
+        if (sums_.rows() < summed_ || sums_.cols() < N_.cols()) sums_.resize(summed_, N_.cols());
+        least_.resize(N_.cols());
+        known_.assign(static_cast<std::size_t>(N_.cols()), 0);
     }
-    largest_.assign(x, 0.0);
-    for (const double value : values_)
-        if (value > largest_.back()) insert(largest_, value);
-    const double last = largest_.back();
-    const double others = std::accumulate(largest_.begin(), largest_.end() - 1, 0.0);
-    for (std::size_t k = 0; k < values_.size(); ++k)
-        if (others + std::min(values_[k], last) >= needed) reachable_[k] = 1;
-    return others + last >= needed;
+    for (const Eigen::Index j : open_)
+        if (known_[static_cast<std::size_t>(j)] == 0) sumLargest(j);
 }
 
 bool RemovalBound::keepForced(double d2, Eigen::Index removed, const SubsetIncumbent& incumbent)
 {
-    const auto most = static_cast<std::size_t>(incumbent.removals() - removed);
+    const Eigen::Index most = incumbent.removals() - removed;
     for (;;)
     {
-        if (open_.size() < 2) return false;
-        couplings(most - 1);
-        reachable_.assign(open_.size(), char{0});
-        bool any = false;
-        for (std::size_t x = 2; x <= most; ++x)
+        const auto n = static_cast<Eigen::Index>(open_.size());
+        if (n < 2) return false;
+        couple(most);
+        reachable_.clear(n);
+        for (Eigen::Index x = 2; x <= most; ++x)
         {
-            const double threshold = incumbent.threshold(removed + static_cast<Eigen::Index>(x));
-            any = markReachable(d2 - threshold - kPruneMargin, x) || any;
+            for (Eigen::Index k = 0; k < n; ++k)
+            {
+                const Eigen::Index j = open_[static_cast<std::size_t>(k)];
+                const double s = sigma(j, x);
+                values_(k) = s > 0.0 ? w_(j) / s : std::numeric_limits<double>::infinity();
+            }
+            reachable_.mark(values_.head(n), x, d2 - incumbent.threshold(removed + x));
         }
-        if (!any) return false;
+        if (!reachable_.any()) return false;
+        closed_.clear();
         std::size_t left = 0;
-        for (std::size_t k = 0; k < open_.size(); ++k)
-            if (reachable_[k]) open_[left++] = open_[k];
-        if (left == open_.size()) return true;
+        for (Eigen::Index k = 0; k < n; ++k)
+        {
+            const Eigen::Index j = open_[static_cast<std::size_t>(k)];
+            if (reachable_[k])
+                open_[left++] = j;
+            else
+                closed_.push_back(j);
+        }
         open_.resize(left);
+        if (closed_.empty()) return true;
+        for (const Eigen::Index j : closed_) close(j);
     }
 }
 }  // namespace monoslam

@@ -4,6 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "PairMatrix.h"
+#include "ReachablePairs.h"
+
 namespace monoslam
 {
 class SubsetIncumbent;
@@ -17,8 +20,11 @@ class SubsetIncumbent;
 class RemovalBound
 {
    public:
-    /** Opens \p n pairs. \param Lam, gt  their precision and weighted innovation, leading part */
-    void measure(const Eigen::MatrixXd& Lam, const Eigen::VectorXd& gt, Eigen::Index n);
+    /** Opens all pairs of \p Lam, their precision; \p gt is their weighted innovation. */
+    void measure(const PairMatrix& Lam, const PairVector& gt);
+
+    /** Makes sigma() of the open pairs known for 2 to \p most removals. */
+    void couple(Eigen::Index most);
 
     /** Closes every pair that is kept in each better set with \p removed + 2 or more removals.
      *  \return false if no such set exists; sigma() is valid for the pairs left if true */
@@ -26,19 +32,30 @@ class RemovalBound
 
     void drop(Eigen::Index j);
     [[nodiscard]] const std::vector<Eigen::Index>& open() const { return open_; }
-    [[nodiscard]] double gain(Eigen::Index j) const { return w_[static_cast<std::size_t>(j)]; }
-    /** For the largest number of removals asked about. */
-    [[nodiscard]] double sigma(Eigen::Index j) const { return sigma_[static_cast<std::size_t>(j)]; }
+    [[nodiscard]] double gain(Eigen::Index j) const { return w_(j); }
+    /** For x >= 2 removals, no more than were asked for. */
+    [[nodiscard]] double sigma(Eigen::Index j, Eigen::Index x) const
+    {
+        return 1.0 - sums_(x - 2, j);
+    }
 
    private:
-    void couplings(std::size_t most);
-    bool markReachable(double needed, std::size_t x);
+    void coupleWithLater(const PairMatrix& Lam, Eigen::Index j);
+    void sumLargest(Eigen::Index j);
+    void close(Eigen::Index j);
 
     Eigen::MatrixXd N_;
-    std::vector<Eigen::Matrix2d> G_inverse_;
-    std::vector<double> w_, sigma_, values_, largest_;
-    std::vector<std::vector<double>> sums_;  ///< of the 1, 2, ... largest N_jl
-    std::vector<char> reachable_;
-    std::vector<Eigen::Index> open_;
+    Eigen::ArrayX3d G_inverse_;  ///< (0, 0), (1, 0), (1, 1) of each pair
+    Eigen::ArrayX4d C_;          ///< (0, 0), (1, 0), (0, 1), (1, 1) of one column's blocks
+    Eigen::ArrayXd w_, values_;
+    Eigen::MatrixXd sums_;     ///< column j: of the 1, 2, ... largest N_jl
+    Eigen::VectorXd least_;    ///< of the N_jl summed
+    Eigen::Index summed_ = 0;  ///< rows of sums_ in use
+    std::vector<char> known_;  ///< column j of sums_ is up to date
+    std::vector<double> largest_;
+    ReachablePairs reachable_;
+    std::vector<Eigen::Index> open_, closed_;
+    Eigen::ArrayXd squares_;               ///< sum of the N_jl^2
+    std::vector<Eigen::Index> strongest_;  ///< the open ones, most strongly coupled first
 };
 }  // namespace monoslam

@@ -13,12 +13,12 @@ namespace
 class PrefixTree
 {
    public:
-    PrefixTree(const SubsetProblem& problem, const DowndatingD2& whole, long maxNodes,
+    PrefixTree(const SubsetProblem& problem, const DowndatingD2& whole, NodeAllowance& allowance,
                SubsetIncumbent& incumbent, SubsetResult& result)
         : problem_(problem),
+          allowance_(allowance),
           incumbent_(incumbent),
           result_(result),
-          nodesLeft_(maxNodes),
           kept_(problem.S, problem.pairs()),
           order_(static_cast<std::size_t>(problem.pairs()))
     {
@@ -36,13 +36,14 @@ class PrefixTree
     {
         removals_ = removals;
         grow(0);
-        return nodesLeft_ >= 0;
+        return !ended_;
     }
 
    private:
     void grow(std::size_t level)
     {
-        if (--nodesLeft_ < 0) return;
+        ended_ = ended_ || !allowance_.spend(1);
+        if (ended_) return;
         ++result_.nodes;
         if (level == order_.size()) return leaf();
         const Eigen::Index j = order_[level];
@@ -75,20 +76,21 @@ class PrefixTree
     }
 
     const SubsetProblem& problem_;
+    NodeAllowance& allowance_;
     SubsetIncumbent& incumbent_;
     SubsetResult& result_;
-    long nodesLeft_;
     IncrementalD2 kept_;
     std::vector<Eigen::Index> order_;
     std::vector<Eigen::Index> removed_;
     std::size_t removals_ = 0;
+    bool ended_ = false;
 };
 }  // namespace
 
-bool searchByPrefixes(const SubsetProblem& problem, const DowndatingD2& whole, long maxNodes,
-                      SubsetIncumbent& incumbent, SubsetResult& result)
+bool searchByPrefixes(const SubsetProblem& problem, const DowndatingD2& whole,
+                      NodeAllowance& allowance, SubsetIncumbent& incumbent, SubsetResult& result)
 {
-    PrefixTree tree(problem, whole, maxNodes, incumbent, result);
+    PrefixTree tree(problem, whole, allowance, incumbent, result);
     for (Eigen::Index i = 1; i < problem.pairs() && i <= incumbent.removals(); ++i)
         if (!tree.search(static_cast<std::size_t>(i))) return false;
     return true;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "NodeAllowance.h"
 #include "monoslam_association/jointCompatibility.h"
 #include "monoslam_association/largestCompatibleSubset.h"
 
@@ -46,14 +47,19 @@ class SubsetIncumbent
 };
 
 /** Each improves the incumbent and counts in the result. \return true if its answer is proved. */
-void searchGreedily(const SubsetProblem& problem, DowndatingD2 whole, SubsetIncumbent& incumbent,
-                    SubsetResult& result);
+void searchGreedily(const SubsetProblem& problem, const DowndatingD2& whole,
+                    SubsetIncumbent& incumbent, SubsetResult& result);
 bool searchAsPrinted(const SubsetProblem& problem, double maxSubsets, SubsetIncumbent& incumbent,
                      SubsetResult& result);
 bool searchByDowndating(const SubsetProblem& problem, const DowndatingD2& whole, double maxSubsets,
                         SubsetIncumbent& incumbent, SubsetResult& result);
-bool searchByPrefixes(const SubsetProblem& problem, const DowndatingD2& whole, long maxNodes,
+bool searchByPrefixes(const SubsetProblem& problem, const DowndatingD2& whole,
+                      NodeAllowance& allowance, SubsetIncumbent& incumbent, SubsetResult& result);
+bool searchByRemovals(const DowndatingD2& whole, NodeAllowance& allowance,
                       SubsetIncumbent& incumbent, SubsetResult& result);
-bool searchByRemovals(const SubsetProblem& problem, const DowndatingD2& whole, long maxNodes,
-                      SubsetIncumbent& incumbent, SubsetResult& result);
+bool searchByReinsertions(const DowndatingD2& whole, NodeAllowance& allowance,
+                          SubsetIncumbent& incumbent, SubsetResult& result);
+/** Greedy, then the three above in an order that its answer suggests. */
+bool searchByPortfolio(const SubsetProblem& problem, const DowndatingD2& whole,
+                       NodeAllowance& allowance, SubsetIncumbent& incumbent, SubsetResult& result);
 }  // namespace monoslam

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_eval/SyntheticWorld.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <map>
-#include <memory>
+#include <cmath>
 #include <stdexcept>
 
 #include "monoslam_models/quaternion.h"
@@ -13,8 +11,7 @@ namespace monoslam
 {
 namespace
 {
-constexpr double kTrueScore = 0.95;
-constexpr double kClutterScore = 0.85;
+constexpr double kTicksPerSecond = 1e7;
 
 Eigen::Vector2d normalPixel(std::mt19937& rng)
 {
@@ -23,32 +20,29 @@ Eigen::Vector2d normalPixel(std::mt19937& rng)
     return {u, normal(rng)};
 }
 
-/** Uniform in the region's ellipse. */
-Eigen::Vector2d uniformIn(const SearchRegion& region, std::mt19937& rng)
+double uniform(std::mt19937& rng, double low, double high)
 {
-    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    Eigen::Vector2d d;
-    do
-    {
-        d[0] = uniform(rng);
-        d[1] = uniform(rng);
-    } while (d.squaredNorm() > 1.0);
-    const Eigen::Matrix2d L = region.S.llt().matrixL();
-    return region.centre + std::sqrt(region.gate) * (L * d);
+    return std::uniform_real_distribution<double>(low, high)(rng);
 }
 
-bool inside(const SearchRegion& region, const Eigen::Vector2d& z)
+/** A stream of its own for every landmark of every frame. */
+std::mt19937 streamOf(unsigned seed, long frame, LandmarkId id)
 {
-    const Eigen::Vector2d nu = z - region.centre;
-    return nu.dot(region.S.llt().solve(nu)) < region.gate;
+    std::seed_seq words{seed, static_cast<unsigned>(frame), static_cast<unsigned>(id)};
+    return std::mt19937(words);
 }
 }  // namespace
 
 SyntheticWorld::SyntheticWorld(const SyntheticWorldOptions& options, unsigned seed)
-    : camera_(options.camera), options_(options), rng_(seed)
+    : camera_(options.camera), options_(options), seed_(seed), rng_(seed)
 {
-    if (!(options.sigma_px > 0.0 && options.clutterPerSearch >= 0.0))
-        throw std::invalid_argument("SyntheticWorld: sigma_px must be > 0, clutter >= 0");
+    const auto inside = [](double p, double low, double high) { return p >= low && p <= high; };
+    if (!(options.sigma_px > 0.0 && options.frame_s > 0.0 && options.scoreDecay > 0.0 &&
+          options.clutterPerImage >= 0.0 && inside(options.detectionProbability, 0.0, 1.0) &&
+          inside(options.minScore, -1.0, 1.0)))
+        throw std::invalid_argument(
+            "SyntheticWorld: sigma_px, frame_s and scoreDecay must be > 0, clutter >= 0, "
+            "probabilities in [0, 1], minScore in [-1, 1]");
 }
 
 LandmarkId SyntheticWorld::addLandmark(const Eigen::Vector3d& p_w)
@@ -70,15 +64,56 @@ LandmarkId SyntheticWorld::addLandmarkInView(const Vector13d& x_v, double rho, d
     return addLandmark(x_v.head<3>() + rotate(q_wc, ray->normalized()) / rho);
 }
 
+void SyntheticWorld::add(WrongMatches group)
+{
+    for (const LandmarkId id : group.landmarks) static_cast<void>(position(id));
+    groups_.push_back(std::move(group));
+}
+
+void SyntheticWorld::add(const LandmarkMotion& motion)
+{
+    static_cast<void>(position(motion.landmark));
+    motions_.push_back(motion);
+}
+
 const Eigen::Vector3d& SyntheticWorld::position(LandmarkId id) const
 {
     return points_.at(static_cast<std::size_t>(id));
 }
 
+Eigen::Vector3d SyntheticWorld::position(LandmarkId id, long frame) const
+{
+    Eigen::Vector3d p = position(id);
+    for (const LandmarkMotion& motion : motions_)
+        if (motion.landmark == id && frame > motion.firstFrame)
+            p += options_.frame_s * static_cast<double>(frame - motion.firstFrame) * motion.v_w;
+    return p;
+}
+
+bool SyntheticWorld::hasMoved(LandmarkId id, long frame) const
+{
+    return position(id, frame) != position(id);
+}
+
+const WrongMatches* SyntheticWorld::groupOf(LandmarkId id, long frame) const
+{
+    for (const WrongMatches& group : groups_)
+        if (frame >= group.firstFrame && frame < group.firstFrame + group.frames &&
+            std::count(group.landmarks.begin(), group.landmarks.end(), id) > 0)
+            return &group;
+    return nullptr;
+}
+
+std::optional<Eigen::Vector2d> SyntheticWorld::project(const Vector13d& x_v,
+                                                       const Eigen::Vector3d& p_w) const
+{
+    const auto uv = projectPixel(camera_, x_v, LandmarkKind::Point, p_w);
+    return uv && camera_.contains(*uv) ? uv : std::nullopt;
+}
+
 std::optional<Eigen::Vector2d> SyntheticWorld::truePixel(const Vector13d& x_v, LandmarkId id) const
 {
-    const auto uv = projectPixel(camera_, x_v, LandmarkKind::Point, position(id));
-    return uv && camera_.contains(*uv) ? uv : std::nullopt;
+    return project(x_v, position(id));
 }
 
 std::optional<Eigen::Vector2d> SyntheticWorld::measure(const Vector13d& x_v, LandmarkId id)
@@ -88,45 +123,74 @@ std::optional<Eigen::Vector2d> SyntheticWorld::measure(const Vector13d& x_v, Lan
     return uv;
 }
 
-FrameView SyntheticWorld::view(const Vector13d& x_v, const VisibilityOptions& visibility)
+PixelFeature SyntheticWorld::feature(LandmarkId id, const Eigen::Vector2d& z, double score,
+                                     LandmarkId truth) const
 {
-    struct Sighting
+    PixelFeature feature;
+    feature.z = z;
+    feature.R *= options_.sigma_px * options_.sigma_px;
+    feature.resembles = {{id, score}};
+    feature.truth = truth;
+    return feature;
+}
+
+/** From the distribution function of the exponential that is cut off at minScore. */
+double SyntheticWorld::drawTrueScore(std::mt19937& rng) const
+{
+    const double decay = options_.scoreDecay;
+    const double tail = -std::expm1(-decay * (1.0 - options_.minScore));
+    return 1.0 + std::log1p(-tail * uniform(rng, 0.0, 1.0)) / decay;
+}
+
+void SyntheticWorld::addImages(const Moment& now, LandmarkId id, std::mt19937& rng,
+                               PixelFrame& frame) const
+{
+    // All is drawn in any case, so that the same numbers come after it.
+    const bool detected = uniform(rng, 0.0, 1.0) < options_.detectionProbability;
+    const Eigen::Vector2d noise = options_.sigma_px * normalPixel(rng);
+    const Eigen::Vector2d wrongNoise = options_.sigma_px * normalPixel(rng);
+    const double score = drawTrueScore(rng), wrongScore = drawTrueScore(rng);
+    if (!detected) return;
+    const Eigen::Vector3d p_w = position(id, now.frame);
+    const WrongMatches* group = groupOf(id, now.frame);
+    if (const auto uv = project(now.x_v, p_w); uv && (group == nullptr || !group->trueHidden))
+        frame.features.push_back(
+            feature(id, *uv + noise, score, hasMoved(id, now.frame) ? kOfNoLandmark : id));
+    if (group == nullptr) return;
+    if (const auto uv = project(now.x_v, p_w + group->shift_m))
+        frame.features.push_back(
+            feature(id, *uv + group->offset_px + wrongNoise, wrongScore, kOfNoLandmark));
+}
+
+void SyntheticWorld::addClutter(LandmarkId id, std::mt19937& rng, PixelFrame& frame) const
+{
+    if (options_.clutterPerImage <= 0.0) return;
+    int count = std::poisson_distribution<int>(options_.clutterPerImage)(rng);
+    while (count-- > 0)
     {
-        std::optional<Eigen::Vector2d> z;
-        unsigned clutterSeed = 0;
-    };
-    const auto sightings = std::make_shared<std::map<LandmarkId, Sighting>>();
-    FrameView frame;
-    frame.predict = [this, visibility](const Belief& belief)
-    { return predictMeasurements(belief, camera_, visibility); };
-    frame.linearize = [this, visibility](const Eigen::VectorXd& x, const LandmarkSlot& slot)
-    { return linearizeLandmark(x, slot, camera_, visibility); };
-    frame.imageArea_px2 = 1.0 * options_.camera.width_px * options_.camera.height_px;
-    frame.search = [this, x_v, sightings](const SearchRegion& region)
+        const double u_px = uniform(rng, 0.0, options_.camera.width_px - 1.0);
+        const double v_px = uniform(rng, 0.0, options_.camera.height_px - 1.0);
+        const double score = uniform(rng, options_.minScore, 1.0);
+        frame.features.push_back(feature(id, {u_px, v_px}, score, kOfNoLandmark));
+    }
+}
+
+PixelFrame SyntheticWorld::observe(const Vector13d& x_v, long frame) const
+{
+    PixelFrame seen;
+    seen.t_s = std::round(options_.frame_s * static_cast<double>(frame) * kTicksPerSecond) /
+               kTicksPerSecond;
+    for (LandmarkId id = 0; id < static_cast<LandmarkId>(points_.size()); ++id)
     {
-        auto [at, fresh] = sightings->try_emplace(region.id);
-        if (fresh)
-        {
-            at->second.z = measure(x_v, region.id);
-            if (std::uniform_real_distribution<double>()(rng_) >= options_.detectionProbability)
-                at->second.z.reset();
-            at->second.clutterSeed = rng_();
-        }
-        const Eigen::Matrix2d R =
-            options_.sigma_px * options_.sigma_px * Eigen::Matrix2d::Identity();
-        SearchResult result;
-        if (at->second.z && inside(region, *at->second.z))
-            result.candidates.push_back({*at->second.z, kTrueScore, R});
-        std::mt19937 clutter(at->second.clutterSeed);
-        int count = options_.clutterPerSearch > 0.0
-                        ? std::poisson_distribution<int>(options_.clutterPerSearch)(clutter)
-                        : 0;
-        while (count-- > 0)
-            result.candidates.push_back({uniformIn(region, clutter), kClutterScore, R});
-        const auto most = static_cast<std::size_t>(std::max(1, region.maxCandidates));
-        if (result.candidates.size() > most) result.candidates.resize(most);
-        return result;
-    };
-    return frame;
+        std::mt19937 rng = streamOf(seed_, frame, id);
+        addImages({x_v, frame}, id, rng, seen);
+        addClutter(id, rng, seen);
+    }
+    std::stable_sort(seen.features.begin(), seen.features.end(),
+                     [](const PixelFeature& a, const PixelFeature& b)
+                     { return a.z.y() < b.z.y(); });
+    std::int64_t number = 0;
+    for (PixelFeature& feature : seen.features) feature.id = number++;
+    return seen;
 }
 }  // namespace monoslam

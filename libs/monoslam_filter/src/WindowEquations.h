@@ -36,7 +36,10 @@ class WindowEquations
     /** Solution of the damped equations applied to a copy of the window. */
     [[nodiscard]] Window step(const Window& at, double lambda) const;
 
-    /** SmoothedWindow::P; empty if the pixels leave a view undetermined. */
+    /** Whether the pixels leave no view undetermined. */
+    [[nodiscard]] bool determined() const;
+
+    /** SmoothedWindow::P. \pre determined() */
     [[nodiscard]] Eigen::MatrixXd covariance() const;
     [[nodiscard]] const std::vector<bool>& inliers() const { return inlier_; }
 
@@ -57,6 +60,9 @@ class WindowEquations
         std::vector<LandmarkRay> landmarks;
     };
 
+    /** H_pp - H_pl H_ll^-1 H_lp, its lower half; the steps of a damped system and of none. */
+    [[nodiscard]] Eigen::MatrixXd reduced(double lambda,
+                                          std::vector<Eigen::Matrix3d>& inverse) const;
     void clear();
     double posePrior(const Window& at, bool linearize);
     double scalePrior(const Window& at, bool linearize);

@@ -44,13 +44,15 @@ SmoothedWindow smoothWindow(const Camera& camera, Window window, const WindowOpt
     WindowEquations equations(camera, given, options);
     SmoothedWindow result;
     result.iterations = minimize(equations, window, options);
+    result.cost = equations.truncatedCost(window);
+    if (result.cost > options.hopelessCost) return result;
     (void)equations.markOutliers(window);
     result.iterations += minimize(equations, window, options);
     result.meanChi2 = equations.markOutliers(window);
     result.cost = equations.truncatedCost(window);
     (void)equations.evaluate(window, true);
-    result.P = equations.covariance();
-    result.usable = result.P.size() > 0;
+    result.usable = equations.determined();
+    if (result.usable && options.covariance) result.P = equations.covariance();
     result.inlier = equations.inliers();
     result.poses = std::move(window.poses);
     result.landmarks = std::move(window.landmarks);

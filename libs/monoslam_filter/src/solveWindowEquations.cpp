@@ -21,12 +21,11 @@ Vector7d movePose(const Vector7d& pose, const Eigen::Matrix<double, 6, 1>& d)
 
 }  // namespace
 
-Window WindowEquations::step(const Window& at, double lambda) const
+Eigen::MatrixXd WindowEquations::reduced(double lambda, std::vector<Eigen::Matrix3d>& inverse) const
 {
     Eigen::MatrixXd S = H_pp_;
     S.diagonal() *= 1.0 + lambda;
-    Eigen::VectorXd b = b_p_;
-    std::vector<Eigen::Matrix3d> inverse(H_ll_.size());
+    inverse.resize(H_ll_.size());
     Eigen::MatrixXd A(H_pl_.rows(), H_pl_.cols());
     for (std::size_t i = 0; i < H_ll_.size(); ++i)
     {
@@ -36,9 +35,19 @@ Window WindowEquations::step(const Window& at, double lambda) const
         inverse[i] = damped.inverse();
         const Eigen::Matrix3d L = Eigen::LLT<Eigen::Matrix3d>(inverse[i]).matrixL();
         A.middleCols<3>(column).noalias() = H_pl_.middleCols<3>(column) * L;
-        b.noalias() -= H_pl_.middleCols<3>(column) * (inverse[i] * b_l_[i]);
     }
     S.selfadjointView<Eigen::Lower>().rankUpdate(A, -1.0);
+    return S;
+}
+
+Window WindowEquations::step(const Window& at, double lambda) const
+{
+    std::vector<Eigen::Matrix3d> inverse;
+    const Eigen::MatrixXd S = reduced(lambda, inverse);
+    Eigen::VectorXd b = b_p_;
+    for (std::size_t i = 0; i < inverse.size(); ++i)
+        b.noalias() -=
+            H_pl_.middleCols<3>(3 * static_cast<Eigen::Index>(i)) * (inverse[i] * b_l_[i]);
     const Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower> ldlt(S);
     const Eigen::VectorXd d = ldlt.solve(b);
     Window moved = at;
@@ -56,24 +65,28 @@ Window WindowEquations::step(const Window& at, double lambda) const
     return moved;
 }
 
+bool WindowEquations::determined() const
+{
+    std::vector<Eigen::Matrix3d> inverse;
+    const Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower> ldlt(reduced(0.0, inverse));
+    return ldlt.info() == Eigen::Success && ldlt.isPositive() && ldlt.vectorD().allFinite();
+}
+
 Eigen::MatrixXd WindowEquations::covariance() const
 {
     const auto n = static_cast<Eigen::Index>(H_ll_.size());
     constexpr Eigen::Index kPoses = 3 * kPoseDof;
-    Eigen::MatrixXd S = H_pp_;
+    std::vector<Eigen::Matrix3d> inverse;
+    const Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower> ldlt(reduced(0.0, inverse));
+    const Eigen::MatrixXd cov = ldlt.solve(Eigen::MatrixXd::Identity(poseSize_, poseSize_));
     Eigen::MatrixXd G(3 * n, poseSize_);
     Eigen::MatrixXd P = Eigen::MatrixXd::Zero(kPoses + 3 * n, kPoses + 3 * n);
     for (Eigen::Index i = 0; i < n; ++i)
     {
-        const auto l = static_cast<std::size_t>(i);
-        const Eigen::Matrix3d inverse = H_ll_[l].inverse();
-        G.middleRows<3>(3 * i).noalias() = inverse * H_pl_.middleCols<3>(3 * i).transpose();
-        P.block<3, 3>(kPoses + 3 * i, kPoses + 3 * i) = inverse;
+        const Eigen::Matrix3d& H_ii_inverse = inverse[static_cast<std::size_t>(i)];
+        G.middleRows<3>(3 * i).noalias() = H_ii_inverse * H_pl_.middleCols<3>(3 * i).transpose();
+        P.block<3, 3>(kPoses + 3 * i, kPoses + 3 * i) = H_ii_inverse;
     }
-    S.noalias() -= H_pl_ * G;
-    const Eigen::LDLT<Eigen::MatrixXd> ldlt(S);
-    const Eigen::MatrixXd cov = ldlt.solve(Eigen::MatrixXd::Identity(poseSize_, poseSize_));
-    if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !cov.allFinite()) return {};
     const Eigen::MatrixXd Gc = G * cov;
     P.bottomRightCorner(3 * n, 3 * n).noalias() += Gc * G.transpose();
     constexpr Eigen::Index kLastTwo = 2 * kPoseDof;

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "monoslam_mrpt/CObservationPixelFeatures.h"
 #include "monoslam_mrpt/RawlogContents.h"
 #include "monoslam_mrpt/imageOf.h"
 
@@ -151,6 +152,17 @@ void RawlogWriter::addImage(Ticks t, const cv::Mat& pixels)
     writeImage(t, name, grey);
 }
 
+void RawlogWriter::addFeatures(Ticks t, std::vector<PixelFeature> features)
+{
+    CObservationPixelFeatures observation;
+    observation.sensorLabel = options_.sensorLabel;
+    observation.cameraParams = options_.camera;
+    observation.cameraPose = options_.cameraPose;
+    observation.features = std::move(features);
+    write(observation, t);
+    ++featureFrames_;
+}
+
 void RawlogWriter::addTruth(Ticks t, const mrpt::poses::CPose3D& T_world_camera)
 {
     mrpt::obs::CObservationRobotPose observation;
@@ -174,7 +186,9 @@ void RawlogWriter::close()
         failToWrite(options_.file);
     }
     const auto written = static_cast<long>(contents.imageTimes[options_.sensorLabel].size());
+    const char* features = CLASS_ID(CObservationPixelFeatures)->className;
     complete_ = contents.damage.empty() && written == images_ &&
+                contents.classes[features] == featureFrames_ &&
                 static_cast<long>(contents.groundTruth.size()) == truths_;
     if (!complete_) failToWrite(options_.file);
 }

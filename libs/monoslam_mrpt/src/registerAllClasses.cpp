@@ -15,6 +15,8 @@
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/rtti/CObject.h>
 
+#include "monoslam_mrpt/CObservationPixelFeatures.h"
+
 namespace monoslam
 {
 void registerAllClasses()
@@ -31,6 +33,7 @@ void registerAllClasses()
     mrpt::rtti::registerClass(CLASS_ID(mrpt::obs::CObservationRobotPose));
     mrpt::rtti::registerClass(CLASS_ID(mrpt::obs::CObservationComment));
     mrpt::rtti::registerClass(CLASS_ID(mrpt::opengl::COpenGLScene));
+    mrpt::rtti::registerClass(CLASS_ID(CObservationPixelFeatures));
 }
 }  // namespace monoslam
 

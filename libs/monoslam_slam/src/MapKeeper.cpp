@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "LandmarkFinder.h"
+#include "monoslam_filter/linearLandmarks.h"
 #include "postFitResiduals.h"
 
 namespace monoslam
@@ -137,17 +138,7 @@ Mixture MapKeeper::convert(Mixture mixture) const
     if (options_.map.convert_linearity <= 0.0) return mixture;
     for (auto& weighted : mixture)
     {
-        const Belief& belief = weighted.belief;
-        std::vector<LandmarkId> ready;
-        for (const auto& slot : belief.landmarks)
-        {
-            if (slot.kind != LandmarkKind::InverseDepth) continue;
-            const Vector6d y = belief.x.segment<6>(slot.offset);
-            if (y(inverse_depth::kRho) > 0.0 &&
-                linearityIndex(y, sigmaRho(belief, slot), belief.x.head<3>()) <
-                    options_.map.convert_linearity)
-                ready.push_back(slot.id);
-        }
+        const auto ready = linearLandmarks(weighted.belief, options_.map.convert_linearity);
         weighted.belief = convertToPoints(std::move(weighted.belief), ready);
     }
     return mixture;

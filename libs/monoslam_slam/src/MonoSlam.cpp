@@ -49,6 +49,11 @@ FrameReport MonoSlam::process(const Frame& frame)
     return report;
 }
 
+void MonoSlam::observeProblems(ProblemObserver observer)
+{
+    impl_->observer = std::move(observer);
+}
+
 const Mixture& MonoSlam::mixture() const
 {
     return impl_->mixture;

@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "LandmarkFinder.h"
 #include "dismissMatches.h"
 #include "postFitResiduals.h"
 #include "startBelief.h"
@@ -55,6 +54,37 @@ void MonoSlam::Impl::restart(const FrameContext& context)
     judge.noteRestart();
 }
 
+VisibilityOptions MonoSlam::Impl::visibility() const
+{
+    const int half_px = options.search.patch_px / 2;
+    return {half_px + 2.0, birthSigma_px()};
+}
+
+FrameView MonoSlam::Impl::viewOf(LandmarkFinder& finder) const
+{
+    FrameView view;
+    view.predict = [this](const Belief& belief)
+    { return predictMeasurements(belief, camera, visibility()); };
+    view.linearize = [this](const Eigen::VectorXd& x, const LandmarkSlot& slot)
+    { return linearizeLandmark(x, slot, camera, visibility()); };
+    view.imageArea_px2 = 1.0 * camera.parameters().width_px * camera.parameters().height_px;
+    view.search = [&finder](const SearchRegion& region) { return finder.search(region); };
+    view.engine = engine;
+    return view;
+}
+
+/** \param finder  of its own: what it has searched already would be told to the map otherwise */
+RecordedFrame MonoSlam::Impl::recordProblem(long index, LandmarkFinder& finder) const
+{
+    RecordedFrame frame;
+    frame.index = index;
+    frame.mixture = mixture;
+    frame.camera = camera;
+    frame.visibility = visibility();
+    frame.minScore = options.search.min_zncc;
+    return recordFrame(std::move(frame), viewOf(finder));
+}
+
 /** Search, association and update from the predicted beliefs. */
 Correction MonoSlam::Impl::correct(const FrameContext& context)
 {
@@ -62,20 +92,15 @@ Correction MonoSlam::Impl::correct(const FrameContext& context)
     Belief expected = mixture[expectedIndex].belief;
     SearchOptions search = options.search;
     search.sigma_floor_px = noise.floor_px();
+    if (observer)
+        observer(context.index,
+                 [&]
+                 {
+                     LandmarkFinder own(camera, *context.image, search, keeper.records(), expected);
+                     return recordProblem(context.index, own);
+                 });
     LandmarkFinder finder(camera, *context.image, search, keeper.records(), expected);
-    VisibilityOptions visibility;
-    const int half_px = options.search.patch_px / 2;
-    visibility.border_px = half_px + 2.0;
-    visibility.sigma_px = birthSigma_px();
-    FrameView view;
-    view.predict = [&](const Belief& belief)
-    { return predictMeasurements(belief, camera, visibility); };
-    view.linearize = [&](const Eigen::VectorXd& x, const LandmarkSlot& slot)
-    { return linearizeLandmark(x, slot, camera, visibility); };
-    view.imageArea_px2 = 1.0 * camera.parameters().width_px * camera.parameters().height_px;
-    view.search = [&](const SearchRegion& region) { return finder.search(region); };
-    view.engine = engine;
-    Correction correction = associator->correct(std::move(mixture), view, rng);
+    Correction correction = associator->correct(std::move(mixture), viewOf(finder), rng);
     if (mayBeChance(correction.associations, options.map))
         return dismissMatches(std::move(correction), std::move(expected), expectedIndex);
     keeper.learnSlopes(correction.associations, finder);

@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "LandmarkFinder.h"
 #include "MapKeeper.h"
 #include "MatchNoise.h"
 #include "ReadoutEstimator.h"
@@ -47,12 +48,16 @@ struct MonoSlam::Impl
     bool anyFrame = false;
     std::optional<StartWindow> window;
     std::optional<MetricPose> target;  ///< what the world was defined by
+    ProblemObserver observer;
 
     void check(const Frame& frame) const;
     std::string start(const FrameContext& context, const cv::Mat& image);
     void restart(const FrameContext& context);
     void track(const FrameContext& context, double dt_s, FrameReport& report, ThreadClock& clock);
     [[nodiscard]] Correction correct(const FrameContext& context);
+    [[nodiscard]] VisibilityOptions visibility() const;
+    [[nodiscard]] FrameView viewOf(LandmarkFinder& finder) const;
+    [[nodiscard]] RecordedFrame recordProblem(long index, LandmarkFinder& finder) const;
     void refineStart(const FrameContext& context, const FrameReport& report);
     void summarize(FrameReport& report) const;
 

@@ -62,6 +62,8 @@ void RunSummary::add(const FrameReport& report, double decode_ms)
     totals_["added"] += report.added;
     totals_["removed"] += report.removed;
     totals_["faults"] += report.counters.faults;
+    totals_["capped"] += report.counters.capped;
+    totals_["frames_not_proved"] += report.counters.provedOptimal ? 0 : 1;
     if (times_ms_[0].size() == 1) start_s_ = report.t_s;
     end_s_ = report.t_s;
     if (!report.hasPose()) return;

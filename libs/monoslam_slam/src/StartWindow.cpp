@@ -15,6 +15,7 @@ namespace monoslam
 namespace
 {
 constexpr double kClearlyBetter = 0.9;  ///< cost of another solution over that of the filter's own
+constexpr double kHopeless = 2.0;       ///< the same before its outliers are known
 constexpr double kDegree = 0.017453292519943295;
 constexpr int kLeastLandmarks = 8;
 constexpr long kLeastSeenLast = 15;  ///< landmarks that hold the last view in the new map
@@ -114,11 +115,18 @@ SmoothedWindow StartWindow::smooth(const Window& window) const
     if (found.usable && inlierRatio(found) >= options_.good_inlier_ratio) return found;
     std::vector<Window> others{flatGuess(window)};
     if (auto twoView = twoViewGuess(window, camera_)) others.push_back(std::move(*twoView));
-    for (const Window& other : others)
+    WindowOptions trial;
+    trial.covariance = false;
+    for (Window& other : others)
     {
-        const SmoothedWindow rival = smoothWindow(camera_, other);
+        if (found.usable) trial.hopelessCost = kHopeless * found.cost;
+        SmoothedWindow rival = smoothWindow(camera_, other, trial);
         if (rival.usable && (!found.usable || rival.cost < kClearlyBetter * found.cost))
-            found = rival;
+        {
+            other.poses = std::move(rival.poses);
+            other.landmarks = std::move(rival.landmarks);
+            found = smoothWindow(camera_, other);
+        }
     }
     return found;
 }

@@ -41,7 +41,7 @@ constexpr const char* kFrameColumns =
     "index,t_s,state,remark,prepare_ms,predict_ms,search_ms,associate_ms,update_ms,map_ms,"
     "total_ms,decode_ms,landmarks,visible,candidates,pairs,rejected,nodes,leaves,d2_evaluations,"
     "joint_d2,mean_nis,residual_rms_px,matched,added,removed,beliefs,effective_beliefs,"
-    "belief_distance,belief_angle_rad,ancestor_age_frames\n";
+    "belief_distance,belief_angle_rad,ancestor_age_frames,proved,capped\n";
 
 std::string frameLine(const FrameReport& r, double decode_ms)
 {
@@ -63,7 +63,8 @@ std::string frameLine(const FrameReport& r, double decode_ms)
     line += "," + std::to_string(d.beliefs);
     for (const double value : {d.effective, d.distance, d.angle_rad})
         line += "," + number(value, "%.6g");
-    return line + "," + std::to_string(d.ancestorAge_frames) + "\n";
+    line += "," + std::to_string(d.ancestorAge_frames);
+    return line + (c.provedOptimal ? ",1," : ",0,") + std::to_string(c.capped) + "\n";
 }
 
 std::string covarianceHeader()
@@ -89,7 +90,7 @@ bool isOurs(const std::string& fileName)
     static const std::regex ours(
         "trajectory\\.tum|robot_path\\.tum|groundtruth\\.tum|covariance\\.csv|frames\\.csv|"
         "map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|top_view\\.png|"
-        "frame_[0-9]+\\.(png|jpg)");
+        "frame_[0-9]+\\.(png|jpg)|association_[0-9]+\\.json");
     return std::regex_match(fileName, ours);
 }
 
@@ -135,6 +136,13 @@ void checkOutputFolder(const std::string& folder, bool force)
         throw std::runtime_error(folder +
                                  ": the output folder is not empty; use --force to "
                                  "replace the files of an earlier run");
+}
+
+void writeTextFile(const std::string& path, const std::string& text, bool force)
+{
+    if (path != "/dev/stdout" && fs::exists(path) && !force)
+        throw std::runtime_error(path + ": exists; use --force to replace it");
+    OutputFile(path).write(text);
 }
 
 void prepareOutputFolder(const std::string& folder, bool force)

@@ -3,6 +3,7 @@
 
 #include <mrpt/config/CConfigFileMemory.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -42,6 +43,25 @@ void readIni(const std::string& fileName, const std::vector<std::string>& settin
              CConfigFileMemory& ini)
 {
     ini.setContent(readText(fileName));
+    applySettings(settings, ini);
+}
+
+void applySettings(const std::vector<std::string>& settings, CConfigFileMemory& ini)
+{
     for (const std::string& setting : settings) apply(setting, ini);
+}
+
+void rejectUnknownSections(const CConfigFileMemory& ini, const std::set<std::string>& known,
+                           const std::string& fileName)
+{
+    std::vector<std::string> present;
+    ini.getAllSections(present);
+    const auto unknown =
+        std::find_if(present.begin(), present.end(),
+                     [&](const auto& section) { return known.count(section) == 0; });
+    if (unknown == present.end()) return;
+    std::string message = fileName + ": unknown section [" + *unknown + "]; known:";
+    for (const auto& name : known) message += " " + name;
+    throw std::invalid_argument(message);
 }
 }  // namespace monoslam

@@ -103,10 +103,11 @@ struct AssociationCounters
     long d2Evaluations = 0;
     long faults = 0;  ///< indefinite S met in the update
     bool provedOptimal = true;
-    double jointD2 = 0.0;         ///< of the accepted set
-    double searchMs = 0.0;        ///< thread CPU time of image search
-    double selectMs = 0.0;        ///< of association proper
-    double updateMs = 0.0;        ///< of predicted measurements and filter update
+    long capped = 0;        ///< searches that a time cap ended: the strategy's fallback went on
+    double jointD2 = 0.0;   ///< of the accepted set
+    double searchMs = 0.0;  ///< thread CPU time of image search
+    double selectMs = 0.0;  ///< of association proper
+    double updateMs = 0.0;  ///< of predicted measurements and filter update
     double otherThreadsMs = 0.0;  ///< of the three above, not spent in the calling thread
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "monoslam_association/export.h"
@@ -24,15 +25,18 @@ enum class SubsetSearch
     Downdate,        ///< every subset, by the gain of removing it
     BranchAndBound,  ///< keep/remove tree on the incremental distance, worst pair first
     Removal,         ///< tree of removals with a bound on the gain of further ones
+    Reinsertion,     ///< from the greedy set: pairs put back, and what can be removed for them
     Greedy,          ///< worst pair first until compatible; not exact
-    Automatic,       ///< greedy, then the exact searches that its answer suggests
+    Automatic,       ///< greedy, then the tree searches in the order that its answer suggests
 };
 
 /** When an exact search gives up; it then returns the best set known. */
 struct SubsetBudget
 {
     double subsets = 2e5;  ///< of Printed and Downdate: sum of C(m, i)
-    long nodes = 2000;     ///< of the tree searches
+    long nodes = 100000;   ///< of the tree searches, each counted by its work: 1 for a pair tested,
+                           ///< 32 or 256 for a node with a bound; 10 ms or so in all
+    double time_ms = std::numeric_limits<double>::infinity();  ///< of them; not reproducible
 };
 
 struct SubsetResult

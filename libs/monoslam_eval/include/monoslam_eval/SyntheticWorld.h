@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "monoslam_association/Associator.h"
+#include "monoslam_eval/PixelFeatures.h"
 #include "monoslam_eval/export.h"
 #include "monoslam_models/Camera.h"
 #include "monoslam_models/ConstantVelocity.h"
@@ -16,16 +16,41 @@ namespace monoslam
 struct SyntheticWorldOptions
 {
     CameraParameters camera;
+    double frame_s = 1.0 / 30.0;
     double sigma_px = 1.0;
-    double detectionProbability = 1.0;  ///< of a visible landmark in its search region
-    double clutterPerSearch = 0.0;      ///< mean number of wrong candidates in a search region
+    double detectionProbability = 1.0;  ///< of a landmark in the image
+    double clutterPerImage = 0.0;  ///< features like one landmark that are not it, Poisson mean
+    double minScore = 0.7;         ///< scores of clutter are uniform in [minScore, 1]
+    double scoreDecay = 12.0;  ///< those of true images fall there like exp(-scoreDecay (1 - s))
 };
 
-/** Landmarks without images: true pixels plus noise, so that what a filter or a strategy does can
- *  be compared with the truth. Landmark i has LandmarkId i. */
+/** Repetitive texture: a group of landmarks that are all seen where they are not, alike, with the
+ *  scores of true images. */
+struct WrongMatches
+{
+    std::vector<LandmarkId> landmarks;
+    long firstFrame = 0;
+    long frames = 0;
+    Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();  ///< of their wrong images
+    Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();    ///< in the world, of a twin of the object
+    bool trueHidden = true;  ///< the true image is not among the features
+};
+
+/** A landmark that leaves its place; from then on no image of it is right. */
+struct LandmarkMotion
+{
+    LandmarkId landmark = -1;
+    long firstFrame = 0;
+    Eigen::Vector3d v_w = Eigen::Vector3d::Zero();  ///< [m/s]
+};
+
+/** Landmarks without images: true pixels plus noise, missed detections, clutter and wrong matches, so
+ *  that what a filter or a strategy does can be compared with the truth (algorithms 10.6, tier T1).
+ *  Landmark i has LandmarkId i. */
 class MONOSLAM_EVAL_EXPORT SyntheticWorld
 {
    public:
+    /** \throw std::invalid_argument if an option is out of its range */
     SyntheticWorld(const SyntheticWorldOptions& options, unsigned seed);
 
     LandmarkId addLandmark(const Eigen::Vector3d& p_w);
@@ -34,7 +59,12 @@ class MONOSLAM_EVAL_EXPORT SyntheticWorld
      *  the distance 1/rho from the camera. */
     LandmarkId addLandmarkInView(const Vector13d& x_v, double rho, double border_px);
 
+    /** \throw std::out_of_range if a landmark is not of this world */
+    void add(WrongMatches group);
+    void add(const LandmarkMotion& motion);
+
     [[nodiscard]] const Eigen::Vector3d& position(LandmarkId id) const;
+    [[nodiscard]] Eigen::Vector3d position(LandmarkId id, long frame) const;
     [[nodiscard]] const Camera& camera() const { return camera_; }
     [[nodiscard]] std::mt19937& rng() { return rng_; }
 
@@ -45,28 +75,33 @@ class MONOSLAM_EVAL_EXPORT SyntheticWorld
     /** truePixel() plus Gaussian noise. */
     [[nodiscard]] std::optional<Eigen::Vector2d> measure(const Vector13d& x_v, LandmarkId id);
 
-    /** What a strategy may ask of the frame taken from x_v. A landmark keeps its noisy pixel,
-     *  found or missed, and its clutter keeps their ranks, for the life of the view, which must
-     *  not outlive the world. */
-    [[nodiscard]] FrameView view(const Vector13d& x_v, const VisibilityOptions& visibility);
+    /** All features of one frame, from x_v, in the order of their rows. What is drawn depends on the
+     *  seed, the frame and the landmark alone: a group of wrong matches leaves the noise of all
+     *  others as it was. The time is frame * frame_s, in whole ticks of 100 ns as a rawlog has it. */
+    [[nodiscard]] PixelFrame observe(const Vector13d& x_v, long frame) const;
 
    private:
+    struct Moment
+    {
+        const Vector13d& x_v;
+        long frame;
+    };
+    [[nodiscard]] const WrongMatches* groupOf(LandmarkId id, long frame) const;
+    [[nodiscard]] bool hasMoved(LandmarkId id, long frame) const;
+    [[nodiscard]] std::optional<Eigen::Vector2d> project(const Vector13d& x_v,
+                                                         const Eigen::Vector3d& p_w) const;
+    void addImages(const Moment& now, LandmarkId id, std::mt19937& rng, PixelFrame& frame) const;
+    void addClutter(LandmarkId id, std::mt19937& rng, PixelFrame& frame) const;
+    [[nodiscard]] PixelFeature feature(LandmarkId id, const Eigen::Vector2d& z, double score,
+                                       LandmarkId truth) const;
+    [[nodiscard]] double drawTrueScore(std::mt19937& rng) const;
+
     Camera camera_;
     SyntheticWorldOptions options_;
+    unsigned seed_;
     std::mt19937 rng_;
     std::vector<Eigen::Vector3d> points_;
+    std::vector<WrongMatches> groups_;
+    std::vector<LandmarkMotion> motions_;
 };
-
-/** One true step of the filter's own process model: impulses drawn from Q, then f(x_v, dt). */
-[[nodiscard]] MONOSLAM_EVAL_EXPORT Vector13d drawMotion(const Vector13d& x_v, double dt_s,
-                                                        const ConstantVelocityOptions& options,
-                                                        std::mt19937& rng);
-
-/** A camera drawn from N(x_v, P_v): the orientation error has three numbers, as T P T' says. */
-[[nodiscard]] MONOSLAM_EVAL_EXPORT Vector13d drawCamera(const Vector13d& x_v, const Matrix13d& P_v,
-                                                        std::mt19937& rng);
-
-/** Smooth hand-held-like 6-DoF path about the origin, looking along +z: sums of sines of the given
- *  amplitude [m], rotations up to 0.3 rad. */
-[[nodiscard]] MONOSLAM_EVAL_EXPORT Vector13d smoothPath(double t_s, double amplitude);
 }  // namespace monoslam

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "monoslam_filter/export.h"
@@ -46,6 +47,9 @@ struct WindowOptions
     double convergence = 1e-3;     ///< relative decrease of the cost at which to stop
     double huber_sigmas = 2.0;     ///< residuals beyond are weighted down
     double outlierChi2 = 13.8155;  ///< chi2(2, 0.999): beyond, the pair is no measurement
+    double hopelessCost = std::numeric_limits<double>::infinity();  ///< not usable if it is beyond
+        ///< this before outliers are left out
+    bool covariance = true;  ///< whether P is wanted
 };
 
 struct SmoothedWindow
@@ -58,7 +62,7 @@ struct SmoothedWindow
     double meanChi2 = 0.0;     ///< of the inliers, 2 when all is well
     int iterations = 0;
     /** Covariance of (dr, dtheta) of the first view, of the last but one and of the last, then of the
-     *  three free numbers of each landmark. */
+     *  three free numbers of each landmark; empty if it was not wanted. */
     Eigen::MatrixXd P;
 };
 

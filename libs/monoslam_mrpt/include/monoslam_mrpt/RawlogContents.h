@@ -14,7 +14,7 @@
 namespace monoslam
 {
 /** A pose of the world's truth as the rawlog holds it. */
-struct StampedPose
+struct RecordedPose
 {
     Ticks t = 0;
     mrpt::poses::CPose3D pose;
@@ -24,7 +24,7 @@ struct StampedPose
 struct RawlogContents
 {
     std::map<std::string, std::vector<Ticks>> imageTimes;  ///< of every label, in file order
-    std::vector<StampedPose> groundTruth;                  ///< CObservationRobotPose labelled GT
+    std::vector<RecordedPose> groundTruth;                 ///< CObservationRobotPose labelled GT
     std::map<std::string, long> classes;                   ///< observations of each class
     std::string damage;  ///< what ends the file early, naming it; empty if it is complete
 };

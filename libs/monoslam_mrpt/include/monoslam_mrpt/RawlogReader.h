@@ -54,7 +54,7 @@ class MONOSLAM_MRPT_EXPORT RawlogReader
     [[nodiscard]] const mrpt::poses::CPose3D& cameraPose() const { return cameraPose_; }
     [[nodiscard]] const std::string& sensorLabel() const { return rawlog_.sensor_label; }
     [[nodiscard]] long frameCount() const { return frameCount_; }  ///< that next() will yield
-    [[nodiscard]] const std::vector<StampedPose>& groundTruth() const { return groundTruth_; }
+    [[nodiscard]] const std::vector<RecordedPose>& groundTruth() const { return groundTruth_; }
 
     /** What ends the file before the last frame that was asked for; empty if nothing does. */
     [[nodiscard]] const std::string& damage() const { return damage_; }
@@ -80,7 +80,7 @@ class MONOSLAM_MRPT_EXPORT RawlogReader
     long yielded_ = 0;
     long index_ = -1;
     std::string damage_;
-    std::vector<StampedPose> groundTruth_;
+    std::vector<RecordedPose> groundTruth_;
     std::vector<std::string> gaps_;
 };
 }  // namespace monoslam

@@ -8,7 +8,9 @@
 
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <vector>
 
+#include "monoslam_eval/PixelFeatures.h"
 #include "monoslam_mrpt/export.h"
 #include "monoslam_mrpt/timestamps.h"
 
@@ -24,7 +26,8 @@ struct RawlogWriterOptions
     std::string sensorLabel = "camera";
 };
 
-/** Images and truth as an observation-only rawlog of stock MRPT classes.
+/** Images and truth as an observation-only rawlog of stock MRPT classes, or features in the place of
+ *  images, which are a class of ours (CObservationPixelFeatures).
  *
  * Images lie in FILE_Images/ unless they are embedded. A failure leaves no rawlog behind. */
 class MONOSLAM_MRPT_EXPORT RawlogWriter
@@ -43,6 +46,9 @@ class MONOSLAM_MRPT_EXPORT RawlogWriter
     /** Pixels of CV_8UC1 or CV_8UC3, stored as PNG. */
     void addImage(Ticks t, const cv::Mat& pixels);
 
+    /** A frame without image. */
+    void addFeatures(Ticks t, std::vector<PixelFeature> features);
+
     /** T_world_camera, as a CObservationRobotPose labelled GT. */
     void addTruth(Ticks t, const mrpt::poses::CPose3D& T_world_camera);
 
@@ -60,6 +66,7 @@ class MONOSLAM_MRPT_EXPORT RawlogWriter
     std::string imagesFolder_;
     mrpt::io::CFileGZOutputStream stream_;
     long images_ = 0;
+    long featureFrames_ = 0;
     long truths_ = 0;
     bool complete_ = false;
 };

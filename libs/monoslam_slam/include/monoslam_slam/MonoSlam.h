@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <random>
 #include <vector>
 
 #include "monoslam_association/Associator.h"
+#include "monoslam_association/RecordedFrame.h"
 #include "monoslam_models/Camera.h"
 #include "monoslam_slam/FrameReport.h"
 #include "monoslam_slam/MonoSlamOptions.h"
@@ -21,6 +23,11 @@ struct Frame
     cv::Mat image;     ///< CV_8UC1
     long index = 0;    ///< number in the recording
 };
+
+/** Is told of the association problem of a frame before it is solved. problem() searches the image
+ *  once more for all that is recorded, and changes nothing of the run. */
+using ProblemObserver =
+    std::function<void(long frame, const std::function<RecordedFrame()>& problem)>;
 
 /** Monocular EKF-SLAM: frames in, belief out.
  *
@@ -40,6 +47,9 @@ class MONOSLAM_SLAM_EXPORT MonoSlam
 
     /** \throw std::invalid_argument on an image of the wrong size or type, or time not increasing */
     FrameReport process(const Frame& frame);
+
+    /** From the next frame on; an empty one ends it. */
+    void observeProblems(ProblemObserver observer);
 
     [[nodiscard]] const Mixture& mixture() const;
     [[nodiscard]] std::vector<MapLandmark> map() const;

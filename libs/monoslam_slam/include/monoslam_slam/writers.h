@@ -29,6 +29,11 @@ class MONOSLAM_SLAM_EXPORT OutputFile
     std::uintmax_t size_ = 0;
 };
 
+/** Writes a text file, /dev/stdout among them.
+ *  \throw std::runtime_error naming it if it exists and force is not set, or cannot be written */
+MONOSLAM_SLAM_EXPORT void writeTextFile(const std::string& path, const std::string& text,
+                                        bool force);
+
 /** The folder may be used if it is absent, empty, or force is set.
  *  \throw std::runtime_error naming the folder */
 MONOSLAM_SLAM_EXPORT void checkOutputFolder(const std::string& folder, bool force);

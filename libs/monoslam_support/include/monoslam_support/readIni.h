@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,4 +21,13 @@ namespace monoslam
 MONOSLAM_SUPPORT_EXPORT void readIni(const std::string& fileName,
                                      const std::vector<std::string>& settings,
                                      mrpt::config::CConfigFileMemory& ini);
+
+/** The settings alone, on top of what \p ini has. \throw std::invalid_argument as above */
+MONOSLAM_SUPPORT_EXPORT void applySettings(const std::vector<std::string>& settings,
+                                           mrpt::config::CConfigFileMemory& ini);
+/** \throw std::invalid_argument naming the file, the first section that is not known, and those that
+ *  are */
+MONOSLAM_SUPPORT_EXPORT void rejectUnknownSections(const mrpt::config::CConfigFileMemory& ini,
+                                                   const std::set<std::string>& known,
+                                                   const std::string& fileName);
 }  // namespace monoslam

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monoslam_association/RecordedFrame.h"
+
+#include <gtest/gtest.h>
+
+#include "associatorRuns.h"
+#include "monoslam_association/recordedFrameFile.h"
+#include "recordedFrames.h"
+
+namespace monoslam::test
+{
+namespace
+{
+class FromFile : public testing::TestWithParam<std::string>
+{
+};
+}  // namespace
+
+TEST(RecordedFrame, FindsWhatTheFrameItselfFinds)
+{
+    const PerspectiveFrame seen({12, 8, false, 0.5, 0.2, 3, true}, 4);
+    const RecordedFrame frame = record(seen);
+    for (const char* name : {"hohct", "jcbb", "ccda", "active_search", "one_point_ransac", "mhda"})
+    {
+        const mrpt::config::CConfigFileMemory ini("");
+        std::mt19937 a(1), b(1);
+        const auto associator = makeAssociator(name, ini);
+        const Correction own = associator->correct(frame.mixture, seen.view(), a);
+        const Correction again = associator->correct(frame.mixture, frame.view(), b);
+        EXPECT_EQ(best(own.mixture).x, best(again.mixture).x) << name;
+    }
+}
+
+TEST(RecordedFrame, GivesTheBestCandidatesOfARegionInOrder)
+{
+    RecordedFrame frame = exampleFrame();
+    const Eigen::Matrix2d R = Eigen::Matrix2d::Identity();
+    RecordedLandmark& landmark = frame.landmarks[2];
+    landmark.candidates = {
+        {{100.0, 50.0}, 0.9, R}, {{104.0, 50.0}, 0.8, R}, {{101.0, 51.0}, 0.6, R}};
+    SearchRegion region{landmark.id, {100.0, 50.0}, R, 9.0, 5, {}};
+    const FrameView view = frame.view();
+    EXPECT_EQ(view.search(region).candidates.size(), 1U);  // of score 0.7 at least
+    region.minScore = 0.5;
+    ASSERT_EQ(view.search(region).candidates.size(), 2U);
+    EXPECT_EQ(view.search(region).candidates[1].score, 0.6);
+    EXPECT_NEAR(static_cast<double>(view.search(region).pixels), 9.0 * std::acos(-1.0), 0.5);
+    region.gate = 25.0;
+    region.maxCandidates = 2;
+    EXPECT_EQ(view.search(region).candidates[1].score, 0.8);
+    region.id = 12345;
+    EXPECT_EQ(view.search(region).status, SearchStatus::Unpredictable);
+}
+
+TEST_P(FromFile, IsSolvedToTheSameBits)
+{
+    const RecordedFrame frame = exampleFrame();
+    const RecordedFrame read = recordedFrameFromText(toText(frame), "bug.json");
+    const mrpt::config::CConfigFileMemory ini("");
+    std::mt19937 a(1), b(1);
+    const auto associator = makeAssociator(GetParam(), ini);
+    const Correction first = associator->correct(frame.mixture, frame.view(), a);
+    const Correction second = associator->correct(read.mixture, read.view(), b);
+    EXPECT_EQ(best(first.mixture).x, best(second.mixture).x);
+    EXPECT_EQ(best(first.mixture).P, best(second.mixture).P);
+    EXPECT_GT(count(first, Fate::Matched), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FromFile, testing::ValuesIn(associatorNames()),
+                         [](const auto& tested) { return tested.param; });
+}  // namespace monoslam::test
