@@ -46,7 +46,7 @@ Words namesOf(const CConfigFileMemory& ini, const std::string& kind)
     return names;
 }
 
-void rejectUnknownSections(const CConfigFileMemory& ini, const std::string& fileName)
+void checkSections(const CConfigFileMemory& ini, const std::string& fileName)
 {
     Words sections;
     ini.getAllSections(sections);
@@ -117,7 +117,7 @@ Batch readBatch(const std::string& fileName, const Words& strategies)
 {
     CConfigFileMemory ini;
     readIni(fileName, {}, ini);
-    rejectUnknownSections(ini, fileName);
+    checkSections(ini, fileName);
     const std::string folder = fs::absolute(fileName).parent_path().string();
 
     Batch batch;
