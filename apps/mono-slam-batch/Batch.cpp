@@ -46,6 +46,12 @@ Words namesOf(const CConfigFileMemory& ini, const std::string& kind)
     return names;
 }
 
+[[noreturn]] void rejectSection(const std::string& fileName, const std::string& section,
+                                const std::string& why)
+{
+    throw std::invalid_argument(fileName + ": [" + section + "]: " + why);
+}
+
 void checkSections(const CConfigFileMemory& ini, const std::string& fileName)
 {
     Words sections;
@@ -56,11 +62,10 @@ void checkSections(const CConfigFileMemory& ini, const std::string& fileName)
         const std::string kind = section.substr(0, dot);
         if (section == "batch") continue;
         if (dot == std::string::npos || (kind != "sequence" && kind != "variant"))
-            throw std::invalid_argument(fileName + ": unknown section [" + section +
-                                        "]; known: batch sequence.NAME variant.NAME");
+            rejectSection(fileName, section,
+                          "unknown section; known: batch sequence.NAME variant.NAME");
         if (!isName(section.substr(dot + 1)))
-            throw std::invalid_argument(fileName + ": [" + section +
-                                        "]: a name has letters, digits and _ - . + only");
+            rejectSection(fileName, section, "a name has letters, digits and _ - . + only");
     }
 }
 
