@@ -46,7 +46,13 @@ Words namesOf(const CConfigFileMemory& ini, const std::string& kind)
     return names;
 }
 
-void rejectUnknownSections(const CConfigFileMemory& ini, const std::string& fileName)
+[[noreturn]] void rejectSection(const std::string& fileName, const std::string& section,
+                                const std::string& why)
+{
+    throw std::invalid_argument(fileName + ": [" + section + "]: " + why);
+}
+
+void checkSections(const CConfigFileMemory& ini, const std::string& fileName)
 {
     Words sections;
     ini.getAllSections(sections);
@@ -56,12 +62,25 @@ void rejectUnknownSections(const CConfigFileMemory& ini, const std::string& file
         const std::string kind = section.substr(0, dot);
         if (section == "batch") continue;
         if (dot == std::string::npos || (kind != "sequence" && kind != "variant"))
-            throw std::invalid_argument(fileName + ": unknown section [" + section +
-                                        "]; known: batch sequence.NAME variant.NAME");
+            rejectSection(fileName, section,
+                          "unknown section; known: batch sequence.NAME variant.NAME");
         if (!isName(section.substr(dot + 1)))
-            throw std::invalid_argument(fileName + ": [" + section +
-                                        "]: a name has letters, digits and _ - . + only");
+            rejectSection(fileName, section, "a name has letters, digits and _ - . + only");
     }
+}
+
+[[noreturn]] void rejectWord(const ConfigSection& section, const std::string& key,
+                             const std::string& word, const Words& known)
+{
+    std::string message = "unknown: " + word + "; known:";
+    for (const std::string& name : known) message.append(" ").append(name);
+    section.fail(key, message);
+}
+
+[[noreturn]] void rejectName(const Batch& batch, const Sequence& sequence, const std::string& why)
+{
+    throw std::invalid_argument(batch.fileName + ": [" + sequence.section + "] rawlog: " +
+                                sequence.rawlog + ": its name " + sequence.name + " " + why);
 }
 
 /** Words of a key, each among those that exist and once; all of them without the key. */
@@ -70,11 +89,9 @@ Words wordsOf(ConfigSection& section, const std::string& key, const Words& known
     Words words = splitWords(section.get(key, ""));
     if (!section.has(key)) return known;
     if (words.empty()) section.fail(key, "names nothing");
-    std::string list;
-    for (const std::string& word : known) list += " " + word;
     for (const std::string& word : words)
     {
-        if (!contains(known, word)) section.fail(key, "unknown: " + word + "; known:" + list);
+        if (!contains(known, word)) rejectWord(section, key, word, known);
         if (std::count(words.begin(), words.end(), word) > 1)
             section.fail(key, word + " comes twice");
     }
@@ -94,12 +111,9 @@ void rejectEqualNames(const Batch& batch)
     for (const Sequence& sequence : batch.sequences)
     {
         if (!isName(sequence.name))
-            throw std::invalid_argument(batch.fileName + ": [" + sequence.section +
-                                        "] rawlog: " + sequence.rawlog + ": its name '" +
-                                        sequence.name + "' has other than letters, digits, _-.+");
+            rejectName(batch, sequence, "has other than letters, digits and _ - . +");
         if (!names.insert(sequence.name).second)
-            throw std::invalid_argument(batch.fileName + ": [" + sequence.section +
-                                        "] rawlog: two sequences are called " + sequence.name);
+            rejectName(batch, sequence, "is that of another sequence");
     }
 }
 }  // namespace
@@ -108,7 +122,7 @@ Batch readBatch(const std::string& fileName, const Words& strategies)
 {
     CConfigFileMemory ini;
     readIni(fileName, {}, ini);
-    rejectUnknownSections(ini, fileName);
+    checkSections(ini, fileName);
     const std::string folder = fs::absolute(fileName).parent_path().string();
 
     Batch batch;

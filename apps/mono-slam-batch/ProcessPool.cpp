@@ -72,7 +72,11 @@ ProcessPool::ProcessPool(std::size_t slots) : slots_(slots) {}
 ProcessPool::~ProcessPool()
 {
     std::error_code ignored;
-    for (const auto& r : running_) r->child.terminate(ignored);
+    for (const auto& r : running_)
+    {
+        kill(-r->child.id(), SIGKILL);  // with what it has started itself
+        r->child.terminate(ignored);
+    }
 }
 
 bool ProcessPool::isFull() const

@@ -26,7 +26,7 @@ TEST_F(BatchInput, MissingFiles)
 TEST_F(BatchInput, UnknownSectionsKeysAndNames)
 {
     writeBatch(kGood, "[sequences.b]\n");
-    expectOneLine(batch(), {"unknown section [sequences.b]", "sequence.NAME"});
+    expectOneLine(batch(), {"batch.ini: [sequences.b]: unknown section", "sequence.NAME"});
     writeBatch(kGood + "seed = 2\n");
     expectOneLine(batch(), {"[batch]", "unknown keys: seed", "seeds"});
     writeBatch(kGood, "truht = x\n");
@@ -73,6 +73,9 @@ TEST_F(BatchInput, ARawlogThatIsCutIsToldBeforeAnythingRuns)
     fs::resize_file(folder_ / "c.rawlog", fs::file_size(folder_ / "c.rawlog") / 2);
     expectOneLine(batch(), {"[sequence.all] (all.c)", "c.rawlog"});
     EXPECT_FALSE(fs::exists(folder_ / "out/jobs"));
+    EXPECT_EQ(batch("--skip-checks").status, 1);
+    EXPECT_NE(results().find("all.b,jcbb,default,1,done,0,"), std::string::npos) << results();
+    EXPECT_NE(results().find("all.c,jcbb,default,1,failed,1,"), std::string::npos) << results();
 }
 
 TEST_F(BatchInput, OptionsThatContradict)

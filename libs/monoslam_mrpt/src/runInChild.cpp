@@ -2,6 +2,7 @@
 #include "runInChild.h"
 
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -46,6 +47,7 @@ void endBy(int signal, __itimer_which timer, double after_ms)
 
 [[noreturn]] void beChild(double cap_ms, const std::function<void()>& compute, long& nanoseconds)
 {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for its answer any more
     endBy(SIGPROF, ITIMER_PROF, cap_ms);
     endBy(SIGALRM, ITIMER_REAL, kClockPerCpu * cap_ms);
     int status = 0;
