@@ -34,8 +34,8 @@ enum class SubsetSearch
 struct SubsetBudget
 {
     double subsets = 2e5;  ///< of Printed and Downdate: sum of C(m, i)
-    long nodes = 100000;   ///< of the tree searches, each counted by its work: 1 for a pair tested,
-                           ///< 32 or 256 for a node with a bound; 10 ms or so in all
+    long nodes = 20000;    ///< of the tree searches, each counted by its work: 1 for a pair tested,
+                           ///< 32 or 256 for a node with a bound; 2 ms or so in all
     double time_ms = std::numeric_limits<double>::infinity();  ///< of them; not reproducible
 };
 
