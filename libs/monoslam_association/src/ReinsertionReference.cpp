@@ -76,7 +76,7 @@ ReinsertionReference::ReinsertionReference(const DowndatingD2& whole,
         M.middleCols<2>(2 * y) = gatherRows(
             whole.precision().middleCols<2>(2 * removed[static_cast<std::size_t>(y)]), kept);
     Wt.noalias() = -M * Sig;
-    llt.matrixU().solveInPlace<Eigen::OnTheRight>(M);
+    if (k > 0) llt.matrixU().solveInPlace<Eigen::OnTheRight>(M);
     gt = (gatherRows(whole.weighted(), kept) - M * e).reshaped(k, 2);
     d2 = whole.d2() - e.squaredNorm();
     Lam.gather(whole.precision(), kept);
