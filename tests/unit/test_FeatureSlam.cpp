@@ -30,15 +30,6 @@ double error_m(const FeatureReport& report, const Vector13d& truth)
     return (report.x_v - truth).head<3>().norm();
 }
 
-double lastError_m(const Simulation& world, std::shared_ptr<const Associator> associator)
-{
-    FeatureSlam slam = slamOf(world, std::move(associator));
-    double error = 0.0;
-    for (std::size_t i = 0; i < world.frames.size(); ++i)
-        error = error_m(slam.process(world.frames[i]), world.path[i]);
-    return error;
-}
-
 SimulationOptions clean(int frames)
 {
     SimulationOptions options;
@@ -118,22 +109,5 @@ TEST(FeatureSlamOptions, AreReadAndChecked)
     EXPECT_EQ(options.prior.rho0, 0.7);
     const mrpt::config::CConfigFileMemory bad("[slam]\nrho0 = 0.7\n");
     EXPECT_THROW(FeatureSlamOptions::from(bad, "a.ini"), std::invalid_argument);
-}
-
-/** Not a wish but a fact: one particle cannot undo its first pair of a frame, which has the widest
- *  ellipse. If that is clutter, every other landmark is outside its own ellipse. */
-TEST(Mhda, OneParticleIsLostInClutterWhereFourAreNot)
-{
-    int lostAlone = 0, lostOfFour = 0;
-    for (unsigned seed = 1; seed <= 6; ++seed)
-    {
-        SimulationOptions options;
-        options.frames = 110;
-        const Simulation world = simulate(options, seed);
-        lostAlone += lastError_m(world, make("mhda", "particles = 1")) > 0.1 ? 1 : 0;
-        lostOfFour += lastError_m(world, make("mhda", "particles = 4")) > 0.1 ? 1 : 0;
-    }
-    EXPECT_GE(lostAlone, 2);
-    EXPECT_EQ(lostOfFour, 0);
 }
 }  // namespace monoslam::test
