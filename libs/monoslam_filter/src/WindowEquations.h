@@ -39,7 +39,7 @@ class WindowEquations
     /** Whether the pixels leave no view undetermined. */
     [[nodiscard]] bool determined() const;
 
-    /** SmoothedWindow::P. \pre determined() */
+    /** SmoothedWindow::P; empty if the pixels leave a view undetermined. */
     [[nodiscard]] Eigen::MatrixXd covariance() const;
     [[nodiscard]] const std::vector<bool>& inliers() const { return inlier_; }
 
@@ -60,7 +60,8 @@ class WindowEquations
         std::vector<LandmarkRay> landmarks;
     };
 
-    /** H_pp - H_pl H_ll^-1 H_lp, its lower half; the steps of a damped system and of none. */
+    /** Lower half of H_pp - H_pl H_ll^-1 H_lp, the diagonals of H_pp and H_ll times 1 + lambda.
+     *  \param inverse  becomes the blocks of that H_ll^-1 */
     [[nodiscard]] Eigen::MatrixXd reduced(double lambda,
                                           std::vector<Eigen::Matrix3d>& inverse) const;
     void clear();

@@ -51,8 +51,8 @@ SmoothedWindow smoothWindow(const Camera& camera, Window window, const WindowOpt
     result.meanChi2 = equations.markOutliers(window);
     result.cost = equations.truncatedCost(window);
     (void)equations.evaluate(window, true);
-    result.usable = equations.determined();
-    if (result.usable && options.covariance) result.P = equations.covariance();
+    if (options.covariance) result.P = equations.covariance();
+    result.usable = options.covariance ? result.P.size() > 0 : equations.determined();
     result.inlier = equations.inliers();
     result.poses = std::move(window.poses);
     result.landmarks = std::move(window.landmarks);

@@ -10,6 +10,13 @@ namespace monoslam
 {
 namespace
 {
+using Factor = Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower>;
+
+bool isDetermined(const Factor& ldlt)
+{
+    return ldlt.info() == Eigen::Success && ldlt.isPositive() && ldlt.vectorD().allFinite();
+}
+
 Vector7d movePose(const Vector7d& pose, const Eigen::Matrix<double, 6, 1>& d)
 {
     Vector7d moved;
@@ -48,7 +55,7 @@ Window WindowEquations::step(const Window& at, double lambda) const
     for (std::size_t i = 0; i < inverse.size(); ++i)
         b.noalias() -=
             H_pl_.middleCols<3>(3 * static_cast<Eigen::Index>(i)) * (inverse[i] * b_l_[i]);
-    const Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower> ldlt(S);
+    const Factor ldlt(S);
     const Eigen::VectorXd d = ldlt.solve(b);
     Window moved = at;
     for (std::size_t k = 0; k < moved.poses.size(); ++k)
@@ -68,8 +75,7 @@ Window WindowEquations::step(const Window& at, double lambda) const
 bool WindowEquations::determined() const
 {
     std::vector<Eigen::Matrix3d> inverse;
-    const Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower> ldlt(reduced(0.0, inverse));
-    return ldlt.info() == Eigen::Success && ldlt.isPositive() && ldlt.vectorD().allFinite();
+    return isDetermined(Factor(reduced(0.0, inverse)));
 }
 
 Eigen::MatrixXd WindowEquations::covariance() const
@@ -77,7 +83,8 @@ Eigen::MatrixXd WindowEquations::covariance() const
     const auto n = static_cast<Eigen::Index>(H_ll_.size());
     constexpr Eigen::Index kPoses = 3 * kPoseDof;
     std::vector<Eigen::Matrix3d> inverse;
-    const Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower> ldlt(reduced(0.0, inverse));
+    const Factor ldlt(reduced(0.0, inverse));
+    if (!isDetermined(ldlt)) return {};
     const Eigen::MatrixXd cov = ldlt.solve(Eigen::MatrixXd::Identity(poseSize_, poseSize_));
     Eigen::MatrixXd G(3 * n, poseSize_);
     Eigen::MatrixXd P = Eigen::MatrixXd::Zero(kPoses + 3 * n, kPoses + 3 * n);

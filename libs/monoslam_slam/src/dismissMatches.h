@@ -12,7 +12,8 @@ namespace monoslam
 [[nodiscard]] bool mayBeChance(const std::vector<Association>& associations,
                                const MapOptions& options);
 
-/** The frame without its matches, which count as rejected: only the prediction remains.
+/** The frame without its matches, which count as rejected: of all beliefs only the prediction of one
+ *  remains.
  *  \param predicted  the belief before the update; \param parent  its index in the mixture */
 [[nodiscard]] Correction dismissMatches(Correction correction, Belief predicted,
                                         std::size_t parent);
