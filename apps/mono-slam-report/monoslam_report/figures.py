@@ -11,6 +11,7 @@ import matplotlib.pyplot as plt
 from . import style
 
 OURS = re.compile(r"#[0-9a-f]{6}\b")
+LONG = re.compile(r"(\d\.\d\d)\d+")  # a hundredth of a point cannot be seen
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,7 @@ def inline(svg: str, prefix: str, label: str) -> str:
     element = re.sub(r'\sxmlns(:\w+)?="[^"]*"', "", element)
     element = re.sub(r'\bid="([^"]+)"', rf'id="{prefix}-\1"', element)
     element = re.sub(r'href="#([^"]+)"', rf'href="#{prefix}-\1"', element)
+    element = re.sub(r'\bd="[^"]*"', lambda path: LONG.sub(r"\1", path[0]), element)
     element = element.replace("url(#", f"url(#{prefix}-")
     named = {colour: f"var(--{name})" for name, (colour, _, _) in style.variables().items()}
     element = OURS.sub(lambda found: named.get(found[0], found[0]), element)

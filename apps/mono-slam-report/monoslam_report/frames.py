@@ -11,6 +11,7 @@ from .rerun import Rerun
 
 MOST_PICTURES = 12
 PER_RUN = 2
+APART = 10  # frames; neighbours look alike
 NUMBER = re.compile(r"frame_(\d+)\.jpg$")
 
 
@@ -39,10 +40,14 @@ def worst_frames(job: Job) -> list[int]:
     if job.frames is None or "index" not in job.frames:
         return []
     table = job.frames[job.frames["rejected"] > 0]
-    there = numbers_in(job.folder / "pictures")
+    there = numbers_in(job.folder / "pictures")  # mono-slam may have drawn only every nth
     if there:
         table = table[table["index"].isin(there)]
-    return [int(i) for i in table.nlargest(PER_RUN, "rejected", keep="first")["index"]]
+    chosen = []
+    for i in table.sort_values("rejected", ascending=False, kind="stable")["index"]:
+        if len(chosen) < PER_RUN and all(abs(i - other) >= APART for other in chosen):
+            chosen.append(int(i))
+    return chosen
 
 
 def numbers_in(folder: Path) -> set[int]:

@@ -9,6 +9,9 @@ import pandas as pd
 
 from .track import Track, track_from_errors, track_of
 
+UNUSED = {"state", "remark", "prepare_ms", "predict_ms", "search_ms", "update_ms", "map_ms", "decode_ms", "candidates",
+          "visible", "mean_nis", "residual_rms_px", "belief_angle_rad", "d2_evaluations", "proved", "capped"}  # memory
+
 
 @dataclass
 class Job:
@@ -68,7 +71,7 @@ class Job:
                 self._note(name, "no such file")
             return None
         try:
-            table = pd.read_csv(file)
+            table = pd.read_csv(file, usecols=lambda column: column not in UNUSED)
         except (ValueError, OSError) as error:
             self._note(name, str(error).splitlines()[0])
             return None

@@ -84,7 +84,11 @@ def section(context: Context) -> Section:
         out.say(f"Pairs of runs with the same seed: how often the strategy is better – worse than {context.reference} "
                 "(and equal, if ever), and p of the two-sided sign test. p is not corrected for the number of tests; "
                 "bold where it is below 0.05.")
-        out.blocks.append(tests_of(context, [m for m in measures if m.column != "frames_lost"]))
+        tests = tests_of(context, [m for m in measures if m.column != "frames_lost"])
+        if tests.rows:
+            out.blocks.append(tests)
+        else:
+            out.say("*No two runs with the same seed have ended.*")
     return out
 
 
