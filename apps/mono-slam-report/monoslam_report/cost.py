@@ -76,7 +76,7 @@ def draw_nodes(context: Context, searches: dict[str, pd.DataFrame]) -> Figure:
     axes[1].set(xlabel="rejected pairs r")
     axes[1].xaxis.get_major_locator().set_params(integer=True)
     for axis in axes:
-        axis.legend(loc="upper left", fontsize=8)
+        axis.legend(loc="lower left", bbox_to_anchor=(0, 1), fontsize=8)
     figure.legend(handles=[Line2D([], [], color=context.look.colour(name), marker=context.look.marker(name), ls="",
                                   label=name) for name in searches], loc="outside lower center", ncols=5)
     return context.figures.save(figure, "nodes", nodes_caption(searches, typical_n, typical_r))
@@ -96,12 +96,14 @@ def points(context: Context, axis: plt.Axes, name: str, table: pd.DataFrame, by:
 def curve(axis: plt.Axes, at: np.ndarray, log_value: np.ndarray, label: str, dashes: str, top: float) -> None:
     shown = log_value <= math.log10(top) + 1
     if not (log_value <= math.log10(top)).any():
-        label += f", above: {power(log_value.min())} and more"
+        label += f": {power(log_value.min())} and more, above"
     axis.plot(at[shown], 10.0 ** log_value[shown], color=style.INK, lw=1.1, ls=dashes, label=label)
 
 
 def power(log_value: float) -> str:
-    """One or more in words that need no superscript: 5.6e14."""
+    """Without a superscript: 52, 5.6e14."""
+    if log_value < 5:
+        return f"{10 ** log_value:.0f}"
     exponent = math.floor(log_value)
     return f"{10 ** (log_value - exponent):.1f}e{exponent}"
 
