@@ -57,7 +57,7 @@ def corridor(frames, end_y, yaw_end_deg, height, seed):
 def sequences(quick):
     """In the order in which they are rendered: the first of each kind, then the second, ..."""
     if quick:
-        return [sequence("uturn", 1, uturn(90, 1.0, 0.64, 5, 20, 1), True), sequence("turn", 1, turn(90, 1.0, 0.64, -90, 120, 1), True)]
+        return [sequence("uturn", 1, uturn(90, 0.9, 0.80, 5, 20, 1), True), sequence("turn", 1, turn(90, 0.9, 0.80, -90, 120, 1), True)]
     out = []
     for i in range(5):
         out += [sequence("uturn", i + 1, uturn(*UTURNS[i], i + 1), False), sequence("turn", i + 1, turn(*TURNS[i], i + 1), False),

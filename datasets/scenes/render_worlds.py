@@ -6,11 +6,12 @@ import hashlib
 import json
 import os
 import shutil
+import signal
 import sys
 import tempfile
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import cv2
@@ -143,6 +144,7 @@ def arguments():
 
 def main():
     args = arguments()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     cv2.setNumThreads(1)
     tasks = []
     for sequence in chosen(args):
@@ -154,12 +156,15 @@ def main():
     try:
         for scene in {t[0].scene for t in tasks}:
             pictures.draw(work / scene, scene)
-        for done in [pool.submit(render_chunk, t, args, work, progress) for t in tasks]:
+        for done in as_completed([pool.submit(render_chunk, t, args, work, progress) for t in tasks]):
             done.result()
     except animation.PovrayFailed as failure:
         sys.exit(f"povray failed: {failure}")
     finally:
-        pool.shutdown(cancel_futures=True)
+        pool.shutdown(wait=False, cancel_futures=True)
+        for povray in list(animation.RUNNING):
+            povray.terminate()
+        pool.shutdown()
         shutil.rmtree(work, ignore_errors=True)
     print(f"{progress.done} pictures rendered, {(time.monotonic() - progress.start) / 60:.1f} min")
 

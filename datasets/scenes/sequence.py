@@ -9,6 +9,8 @@ import numpy as np
 
 import trajectory as tj
 
+TARGET_LIFT_M = 0.001  # scenes have their table tops at z = 0 and the target this much above; the world's origin is on the target
+
 
 @dataclass(frozen=True)
 class Camera:
@@ -77,7 +79,9 @@ def quaternion(R):
 
 
 def pose_rows(rate_hz, centres, rotations):
-    rows = np.array([[(i + 1) / rate_hz, *c, *quaternion(R)] for i, (c, R) in enumerate(zip(centres, rotations))])
+    """Poses in the world, from positions in the scene; rounded as they are written, before anything is rendered."""
+    lift = [0, 0, TARGET_LIFT_M]
+    rows = np.array([[(i + 1) / rate_hz, *(c - lift), *quaternion(R)] for i, (c, R) in enumerate(zip(centres, rotations))])
     return np.array([[float(f"{v:.9f}") for v in row] for row in rows])
 
 
