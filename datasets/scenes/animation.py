@@ -31,8 +31,8 @@ def pose_include(sequence, frame):
     return "\n".join(lines + ["#macro Things()"] + skins + [box.scene_line() for box in boxes] + ["#end"]) + "\n"
 
 
-def command(sequence, count, depth, rays, pictures, work):
-    camera, s = sequence.camera, 1 if depth else rays
+def command(sequence, count, depth, pictures, work):
+    camera, s = sequence.camera, 1 if depth else sequence.rays_per_side
     width, height = round(camera.width * s), round(camera.height * s)
     declared = {"Depth": int(depth), "Far": 65535 * DEPTH_UNIT_M, "WideX": camera.width / camera.fx, "WideY": camera.height / camera.fy}
     return ["povray", f"+I{HERE / sequence.scene}", f"+L{HERE}", f"+L{pictures}", f"+L{work}", f"+O{work / 'out'}",
@@ -52,13 +52,13 @@ def read_pgm(path):
     return image if image.ndim == 2 else image[:, :, 0]
 
 
-def animate(sequence, frames, depth, rays, pictures, work):
+def animate(sequence, frames, depth, pictures, work):
     """Yields (frame, 16-bit linear image) for the given frames, as soon as each is done."""
     work.mkdir(parents=True, exist_ok=True)
     for i, frame in enumerate(frames, 1):
         (work / f"pose{i:06d}.inc").write_text(pose_include(sequence, frame))
     log = work / "povray.log"
-    with log.open("w") as sink, subprocess.Popen(command(sequence, len(frames), depth, rays, pictures, work),
+    with log.open("w") as sink, subprocess.Popen(command(sequence, len(frames), depth, pictures, work),
                                                  stdout=sink, stderr=sink) as povray:
         RUNNING.add(povray)
         try:

@@ -46,7 +46,7 @@ def sequence(kind, k, path, quick):
                                 [("wires before edges", "crossing_edges"), ("doors" if kind == "corridor" else "screens, keys and folders", "repeated"),
                                  ("checker floor", "repeated")]]
     still = cartons(k) if kind == "corridor" else clutter(k)
-    return Sequence(f"lab_{kind}_{k}", "corridor.pov" if kind == "corridor" else "lab.pov", CAMERA.half() if quick else CAMERA, poses, DEPTH_EVERY,
+    return Sequence(f"lab_{kind}_{k}", "corridor.pov" if kind == "corridor" else "lab.pov", CAMERA.half() if quick else CAMERA, poses, DEPTH_EVERY, 2.5 if quick else 1.5,
                     movers, still, segments, objects)
 
 

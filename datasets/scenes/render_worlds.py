@@ -23,7 +23,6 @@ import office
 import pictures
 from render import save, srgb
 
-RAYS_PER_SIDE = {"office.pov": 2, "lab.pov": 1.5, "corridor.pov": 1.5}  # of a pixel; their mean is the anti-aliasing
 BLUR_SIGMA_PX = 0.6
 FRAMES_A_PROCESS = 100
 TARGET_SIZE_M = [0.21, 0.1485]
@@ -63,7 +62,7 @@ def tables(sequence, args):
     camera = [f"{k}: {getattr(c, k)}" for k in ("width", "height", "fx", "fy", "cx", "cy")] + [k + ": 0" for k in ("k1", "k2", "p1", "p2", "k3")]
     truth = ["# timestamp tx ty tz qx qy qz qw   (T_world_camera, m; x right, y down, z forward)"]
     truth += [f"{r[0]:.6f} " + " ".join(f"{v:.9f}" for v in r[1:]) for r in rows]
-    how = {"rays_per_side": RAYS_PER_SIDE[sequence.scene], "blur_sigma_px": BLUR_SIGMA_PX, "noise_sigma_grey": args.noise,
+    how = {"rays_per_side": sequence.rays_per_side, "blur_sigma_px": BLUR_SIGMA_PX, "noise_sigma_grey": args.noise,
            "jpeg_step": args.jpeg_step, "depth_every": sequence.depth_every, "scene": hashlib.sha256("\n".join(scene_lines(sequence.scene)).encode()).hexdigest()[:16]}
     marks = {"target": {"rectangle_size_m": TARGET_SIZE_M}, "segments": sequence.segments, "objects": sequence.objects}
     return {"camera.yaml": "\n".join(camera) + "\n", "groundtruth.txt": "\n".join(truth) + "\n",
@@ -101,7 +100,7 @@ def chunks(sequence, folder, what):
 def sensed(linear, sequence, frame, noise_sigma_grey):
     """The frame after the lens (blur, mean over the pixel) and a still sensor's noise, 8-bit sRGB."""
     size = sequence.camera.width, sequence.camera.height
-    fine = cv2.GaussianBlur(linear.astype(np.float32) / 65535, (0, 0), BLUR_SIGMA_PX * RAYS_PER_SIDE[sequence.scene])
+    fine = cv2.GaussianBlur(linear.astype(np.float32) / 65535, (0, 0), BLUR_SIGMA_PX * sequence.rays_per_side)
     rng = np.random.default_rng([sum(map(ord, sequence.name)), frame])
     noisy = srgb(cv2.resize(fine, size, interpolation=cv2.INTER_AREA)) + rng.normal(0, noise_sigma_grey, size[::-1])
     return np.clip(np.rint(noisy), 0, 255).astype(np.uint8)
@@ -110,7 +109,7 @@ def sensed(linear, sequence, frame, noise_sigma_grey):
 def render_chunk(task, args, work, progress):
     sequence, folder, depth, frames = task
     with tempfile.TemporaryDirectory(dir=work) as own:
-        for frame, image in animation.animate(sequence, frames, depth, RAYS_PER_SIDE[sequence.scene], work / sequence.scene, Path(own)):
+        for frame, image in animation.animate(sequence, frames, depth, work / sequence.scene, Path(own)):
             if depth:
                 save(str(depth_file(folder, frame)), image)
             else:

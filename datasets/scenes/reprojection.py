@@ -6,6 +6,7 @@ import numpy as np
 import trajectory as tj
 
 TARGET_W = np.array([[-0.105, -0.07425, 0], [0.105, -0.07425, 0], [0.105, 0.07425, 0], [-0.105, 0.07425, 0]])
+PAPER_M = 0.297, 0.21
 
 
 def back_project(camera, pose, depth_m, shift_px=0.0, mirror=1.0):
@@ -57,13 +58,12 @@ def centroid(polygon):
 
 def target_offset(camera, pose, grey):
     """Centroid of the dark target in the image minus that of its projection [px]; None if it is not all in view."""
-    outline = camera.project(pose, TARGET_W)
-    low, high = np.floor(outline.min(0)).astype(int) - 4, np.ceil(outline.max(0)).astype(int) + 5
-    if (low < 0).any() or (high > [camera.width, camera.height]).any():
+    outline, paper = camera.project(pose, TARGET_W), camera.project(pose, TARGET_W * [PAPER_M[0] / 0.21, PAPER_M[1] / 0.1485, 0])
+    if (paper.min(0) < 0).any() or (paper.max(0) > [camera.width - 1, camera.height - 1]).any():
         return None
     mask = np.zeros(grey.shape, np.uint8)
-    cv2.fillPoly(mask, [np.rint(outline).astype(np.int32)], 1)
-    mask = cv2.dilate(mask, np.ones((7, 7), np.uint8))
+    cv2.fillPoly(mask, [np.rint(paper).astype(np.int32)], 1)
+    mask = cv2.erode(mask, np.ones((3, 3), np.uint8))  # nothing from beyond the paper
     light = ((grey / 255 + 0.055) / 1.055) ** 2.4  # only linear light is proportional to the covered share of a pixel
     black, white = np.percentile(light[mask > 0], [40, 98])
     dark = np.clip(1.1 * (white - light) / (white - black) - 0.05, 0, 1) * mask  # level paper, level target

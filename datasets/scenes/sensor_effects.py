@@ -22,12 +22,12 @@ def grey_levels(light):
 
 # ---- lens ------------------------------------------------------------------------------------------
 def ideal_pixels(source, camera, lens):
-    """Where each pixel of the distorted camera looks in the picture of the ideal one, h x w x 2 [px]."""
+    """Where each pixel of the camera with that lens (k1, k2) looks in the picture of the ideal one, h x w x 2 [px]."""
     v, u = np.mgrid[0:camera.height, 0:camera.width].astype(np.float64)
     pixels = np.stack([u, v], -1).reshape(-1, 1, 2)
     K = np.array([[camera.fx, 0, camera.cx], [0, camera.fy, camera.cy], [0, 0, 1]])
     criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 60, 1e-9)
-    rays = cv2.undistortPointsIter(pixels, K, np.array(lens), None, None, criteria).reshape(camera.height, camera.width, 2)
+    rays = cv2.undistortPointsIter(pixels, K, np.array([*lens, 0, 0]), None, None, criteria).reshape(camera.height, camera.width, 2)
     return rays * [source.fx, source.fy] + [source.cx, source.cy]
 
 

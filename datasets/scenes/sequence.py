@@ -57,6 +57,7 @@ class Sequence:
     camera: Camera
     poses: np.ndarray  # rows t tx ty tz qx qy qz qw, rounded as they are written
     depth_every: int
+    rays_per_side: float  # of a pixel; their mean is the anti-aliasing
     moving: Callable = lambda frame: []  # the boxes that move, as they stand in a frame
     still: list = field(default_factory=list)  # boxes of this sequence that never move
     segments: dict = field(default_factory=dict)  # name -> [first frame, last frame]
