@@ -9,6 +9,7 @@ usage: render.sh OUTPUT --world office|lab|quick [options]   renders a world of 
        render.sh --sensor INPUT OUTPUT [options] a rendered sequence as a cheap camera records it; see --sensor --help
        render.sh --check FOLDER...               reprojects the frames of rendered sequences into each other
        render.sh --check                         the same with frames of desk rendered for it
+       render.sh --describe                      tables of the worlds and of what a picture costs
 
 Needs povray 3.7 and python3 with venv (apps/install-packages.sh worlds). The Python packages of
 scenes/requirements.txt go into a virtual environment, ${MONOSLAM_RENDER_ENV:-~/.cache/monoslam-render}, made when
@@ -28,10 +29,11 @@ case "$1 ${2-}" in
 "--sensor "*) tool=sensor.py; shift ;;
 "--check "[!-]*) tool=check_sequence.py; shift ;;
 "--check "*) tool=check_geometry.py; shift ;;
+"--describe "*) tool=describe_worlds.py; shift ;;
 *) case " $* " in *" --world "* | *" --world="*) tool=render_worlds.py ;; esac ;;
 esac
 case $tool in
-render*.py | check_geometry.py)
+render*.py | check_geometry.py | describe_worlds.py)
     command -v povray >/dev/null || { echo "render.sh: povray is not installed: apps/install-packages.sh worlds" >&2; exit 1; } ;;
 esac
 env=${MONOSLAM_RENDER_ENV:-${XDG_CACHE_HOME:-$HOME/.cache}/monoslam-render}

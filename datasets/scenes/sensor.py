@@ -16,6 +16,14 @@ from render import save
 from sequence_files import LENS, SequenceFiles
 
 
+def joined(words):
+    """`--distortion -0.2,0.1` as one word: argparse takes -0.2,0.1 for an option."""
+    words = list(words)
+    for i in reversed([i for i, w in enumerate(words[:-1]) if w == "--distortion"]):
+        words[i:i + 2] = ["--distortion=" + words[i + 1]]
+    return words
+
+
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter, prog="render.sh --sensor")
     parser.add_argument("input", type=Path, help="folder of a rendered sequence")
@@ -28,7 +36,7 @@ def arguments():
     parser.add_argument("--noise", type=float, default=0.0, metavar="SIGMA", help="more noise [grey levels rms]; renders have their own (--noise 0 leaves it away)")
     parser.add_argument("--jpeg", type=int, metavar="QUALITY", help="write JPEG of this quality, 1 to 100, instead of PNG")
     parser.add_argument("--seed", type=int, default=1)
-    args = parser.parse_args()
+    args = parser.parse_args(joined(sys.argv[1:]))
     try:
         args.lens = [float(k) for k in args.distortion.split(",")]
     except ValueError:
