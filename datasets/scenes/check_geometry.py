@@ -11,7 +11,6 @@ import os
 import sys
 import tempfile
 
-import cv2
 import numpy as np
 
 import render

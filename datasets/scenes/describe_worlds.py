@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the tables of datasets/README.md: the sequences, and what a picture costs, measured here and now."""
+
 import argparse
 import resource
 import tempfile
@@ -35,18 +36,28 @@ def cost(sequence, depth, count):
         pictures.draw(work / "pictures", sequence.scene)
 
         def spent():
-            return sum(u.ru_utime + u.ru_stime for u in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)))
+            return sum(
+                u.ru_utime + u.ru_stime
+                for u in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+            )
+
         before, start = spent(), time.monotonic()
         for frame, image in animation.animate(sequence, frames, depth, work / "pictures", work / "run"):
-            save(str(work / "out.png"), image) if depth else save(str(work / "out.jpg"), sensed(image, sequence, frame, 2.0), qtables=[[8] * 64])
+            save(str(work / "out.png"), image) if depth else save(
+                str(work / "out.jpg"), sensed(image, sequence, frame, 2.0), qtables=[[8] * 64]
+            )
         return (spent() - before) / len(frames), (time.monotonic() - start) / len(frames)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, prog="render.sh --describe")
-    parser.add_argument("--frames", type=int, default=20, help="frames a sequence to measure the cost with (default %(default)s)")
+    parser.add_argument(
+        "--frames", type=int, default=20, help="frames a sequence to measure the cost with (default %(default)s)"
+    )
     args = parser.parse_args()
-    print("| sequence | frames | path [m] | mean speed [m/s] | summed rotation [deg] | segments |\n|---|---|---|---|---|---|")
+    print(
+        "| sequence | frames | path [m] | mean speed [m/s] | summed rotation [deg] | segments |\n|---|---|---|---|---|---|"
+    )
     for s in sorted(lab.sequences(False), key=lambda s: s.name) + office.sequences(False):
         segments = ", ".join(f"{name} {a}–{b}" for name, (a, b) in s.segments.items()) or "-"
         print("| {} | {} | {:.2f} | {:.2f} | {:.0f} | {} |".format(s.name, len(s.poses), *motion(s), segments))

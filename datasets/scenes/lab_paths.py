@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The laboratory's camera paths, slow as on a rail: each returns the poses and its segments (first and last frame)."""
+
 import math
 
 import cv2
@@ -24,13 +25,20 @@ def advance(frames, sway, phase):
 def wobble(frames, phase, size_rad):
     """Yaw, pitch and roll of a carriage that does not run quite true."""
     t = np.arange(frames)[:, None] / RATE_HZ
-    return size_rad * np.sin(2 * math.pi * t * np.array([0.31, 0.43, 0.22]) + phase * np.array([1, 2, 3])) * np.minimum(1, t)
+    return (
+        size_rad
+        * np.sin(2 * math.pi * t * np.array([0.31, 0.43, 0.22]) + phase * np.array([1, 2, 3]))
+        * np.minimum(1, t)
+    )
 
 
 def smoothed(angle):
     """No step in the rate of a turn: Gaussian over half a second, continued beyond both ends."""
     n = 24
-    lead, tail = angle[0] + (angle[1] - angle[0]) * np.arange(-n, 0), angle[-1] + (angle[-1] - angle[-2]) * np.arange(1, n + 1)
+    lead, tail = (
+        angle[0] + (angle[1] - angle[0]) * np.arange(-n, 0),
+        angle[-1] + (angle[-1] - angle[-2]) * np.arange(1, n + 1),
+    )
     padded = np.concatenate([lead, angle, tail]).astype(np.float64)
     return cv2.GaussianBlur(padded[:, None], (1, 2 * n + 1), sigmaX=1, sigmaY=7.0).ravel()[n:-n]
 

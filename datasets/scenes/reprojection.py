@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Does a frame, carried into another one by its depth and the two poses, show there what the other one shows?"""
+
 import cv2
 import numpy as np
 
@@ -10,8 +11,10 @@ PAPER_M = 0.297, 0.21
 
 
 def back_project(camera, pose, depth_m, shift_px=0.0, mirror=1.0):
-    v, u = np.mgrid[0:camera.height, 0:camera.width].astype(float)
-    rays = np.stack([mirror * (u + shift_px - camera.cx) / camera.fx, (v + shift_px - camera.cy) / camera.fy, np.ones_like(u)], -1)
+    v, u = np.mgrid[0 : camera.height, 0 : camera.width].astype(float)
+    rays = np.stack(
+        [mirror * (u + shift_px - camera.cx) / camera.fx, (v + shift_px - camera.cy) / camera.fy, np.ones_like(u)], -1
+    )
     return (rays * depth_m[..., None]).reshape(-1, 3) @ tj.rotation(pose[4:]).T + pose[1:4]
 
 
@@ -58,14 +61,20 @@ def centroid(polygon):
 
 def target_offset(camera, pose, grey):
     """Centroid of the dark target in the image minus that of its projection [px]; None if it is not all in view."""
-    outline, paper = camera.project(pose, TARGET_W), camera.project(pose, TARGET_W * [PAPER_M[0] / 0.21, PAPER_M[1] / 0.1485, 0])
+    outline, paper = (
+        camera.project(pose, TARGET_W),
+        camera.project(pose, TARGET_W * [PAPER_M[0] / 0.21, PAPER_M[1] / 0.1485, 0]),
+    )
     if (paper.min(0) < 0).any() or (paper.max(0) > [camera.width - 1, camera.height - 1]).any():
         return None
-    mask = np.zeros(grey.shape, np.uint8)
-    cv2.fillPoly(mask, [np.rint(paper).astype(np.int32)], 1)
-    mask = cv2.erode(mask, np.ones((3, 3), np.uint8))  # nothing from beyond the paper
+    mask, sheet = np.zeros(grey.shape, np.uint8), np.zeros(grey.shape, np.uint8)
+    cv2.fillPoly(mask, [np.rint(outline).astype(np.int32)], 1)
+    cv2.fillPoly(sheet, [np.rint(paper).astype(np.int32)], 1)
+    mask = cv2.dilate(mask, np.ones((7, 7), np.uint8)) & cv2.erode(
+        sheet, np.ones((3, 3), np.uint8)
+    )  # nothing beyond the paper
     light = ((grey / 255 + 0.055) / 1.055) ** 2.4  # only linear light is proportional to the covered share of a pixel
     black, white = np.percentile(light[mask > 0], [40, 98])
     dark = np.clip(1.1 * (white - light) / (white - black) - 0.05, 0, 1) * mask  # level paper, level target
-    v, u = np.mgrid[0:grey.shape[0], 0:grey.shape[1]]
+    v, u = np.mgrid[0 : grey.shape[0], 0 : grey.shape[1]]
     return np.array([(dark * u).sum(), (dark * v).sum()]) / dark.sum() - centroid(outline)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a cheap camera does to a picture, each as one function. Light is linear here: 0 to 1, not grey levels."""
+
 import cv2
 import numpy as np
 
@@ -23,25 +24,31 @@ def grey_levels(light):
 # ---- lens ------------------------------------------------------------------------------------------
 def ideal_pixels(source, camera, lens):
     """Where each pixel of the camera with that lens (k1, k2) looks in the picture of the ideal one, h x w x 2 [px]."""
-    v, u = np.mgrid[0:camera.height, 0:camera.width].astype(np.float64)
+    v, u = np.mgrid[0 : camera.height, 0 : camera.width].astype(np.float64)
     pixels = np.stack([u, v], -1).reshape(-1, 1, 2)
     K = np.array([[camera.fx, 0, camera.cx], [0, camera.fy, camera.cy], [0, 0, 1]])
     criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 60, 1e-9)
-    rays = cv2.undistortPointsIter(pixels, K, np.array([*lens, 0, 0]), None, None, criteria).reshape(camera.height, camera.width, 2)
+    rays = cv2.undistortPointsIter(pixels, K, np.array([*lens, 0, 0]), None, None, criteria).reshape(
+        camera.height, camera.width, 2
+    )
     return rays * [source.fx, source.fy] + [source.cx, source.cy]
 
 
 def distorted_camera(source, lens):
     """The camera with that lens whose whole picture lies inside the source's: a barrel lens needs a longer focal length."""
+
     def lacks(scale):
         camera = Camera(source.width, source.height, source.fx * scale, source.fy * scale, source.cx, source.cy)
         at = ideal_pixels(source, camera, lens)
         return at.min() < -0.01 or (at > np.array([source.width - 0.99, source.height - 0.99])).any()
+
     low, high = 1.0, 1.0
     while lacks(high):
         high *= 1.1
         if high > 4:
-            raise ValueError("the lens bends too much: no focal length up to 4 times the source's shows only what is there")
+            raise ValueError(
+                "the lens bends too much: no focal length up to 4 times the source's shows only what is there"
+            )
     for _ in range(20 if high > 1 else 0):
         middle = (low + high) / 2
         low, high = (middle, high) if lacks(middle) else (low, middle)
@@ -63,7 +70,7 @@ def flow_by_depth(camera, poses, i, depth_m, share):
     """Motion of the resting world's pixels in `share` of a frame [px]; where there is no depth, as at infinity."""
     depth = np.where(depth_m > 0, depth_m, 1e4)
     moved = camera.project(pose_at(poses, i, share), back_project(camera, poses[i], depth))
-    v, u = np.mgrid[0:camera.height, 0:camera.width]
+    v, u = np.mgrid[0 : camera.height, 0 : camera.width]
     return (moved.reshape(camera.height, camera.width, 2) - np.stack([u, v], -1)).astype(np.float32)
 
 
@@ -103,8 +110,15 @@ def source_pixels(at, motion, share_first, share_last):
     rows = np.linspace(0, 1, at.shape[0], dtype=np.float32)[:, None, None]
     u = at.astype(np.float32)
     for _ in range(3):
+
         def sampled(flow):
-            return np.dstack([cv2.remap(flow[..., k], u[..., 0], u[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE) for k in (0, 1)])
+            return np.dstack(
+                [
+                    cv2.remap(flow[..., k], u[..., 0], u[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+                    for k in (0, 1)
+                ]
+            )
+
         u = at.astype(np.float32) - ((1 - rows) * sampled(first) + rows * sampled(last))
     return u
 
@@ -131,7 +145,7 @@ def exposed(light, at, motion, readout, exposure):
 # ---- light and electronics ---------------------------------------------------------------------------
 def vignetting(camera, loss):
     """Share of the light that is left, falling with the square of the distance from the middle to 1 - loss in the corners."""
-    v, u = np.mgrid[0:camera.height, 0:camera.width].astype(np.float32)
+    v, u = np.mgrid[0 : camera.height, 0 : camera.width].astype(np.float32)
     r2 = (u - (camera.width - 1) / 2) ** 2 + (v - (camera.height - 1) / 2) ** 2
     return 1 - loss * r2 / r2.max()
 

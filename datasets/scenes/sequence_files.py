@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads a sequence folder: camera.yaml, groundtruth.txt, rgb.txt, pictures and depth."""
+
 import sys
 from pathlib import Path
 
@@ -37,12 +38,16 @@ class SequenceFiles:
             if not (self.folder / name).is_file():
                 sys.exit(f"{self.folder}: no {name}")
         self.yaml = read_yaml(self.folder / "camera.yaml")
-        self.camera = Camera(int(self.yaml["width"]), int(self.yaml["height"]), *(self.yaml[k] for k in ("fx", "fy", "cx", "cy")))
+        self.camera = Camera(
+            int(self.yaml["width"]), int(self.yaml["height"]), *(self.yaml[k] for k in ("fx", "fy", "cx", "cy"))
+        )
         self.poses = np.loadtxt(self.folder / "groundtruth.txt", ndmin=2)
         lines = [x.split() for x in (self.folder / "rgb.txt").read_text().splitlines() if x and not x.startswith("#")]
         self.stamps, self.pictures = [x[0] for x in lines], [x[1] for x in lines]
         if len(self.poses) != len(self.pictures):
-            sys.exit(f"{self.folder}: {len(self.pictures)} pictures in rgb.txt, {len(self.poses)} poses in groundtruth.txt")
+            sys.exit(
+                f"{self.folder}: {len(self.pictures)} pictures in rgb.txt, {len(self.poses)} poses in groundtruth.txt"
+            )
 
     def __len__(self):
         return len(self.pictures)
@@ -56,7 +61,9 @@ class SequenceFiles:
         if image is None:
             sys.exit(f"{path}: no picture")
         if image.shape != (self.camera.height, self.camera.width):
-            sys.exit(f"{path}: {image.shape[1]} x {image.shape[0]}, but camera.yaml says {self.camera.width} x {self.camera.height}")
+            sys.exit(
+                f"{path}: {image.shape[1]} x {image.shape[0]}, but camera.yaml says {self.camera.width} x {self.camera.height}"
+            )
         return image
 
     def depth_path(self, frame):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Paths and marks of the rendered worlds keep what the experiments rely on; nothing is rendered here."""
+
 import functools
 import unittest
 
@@ -21,10 +22,15 @@ def every():
 class Paths(unittest.TestCase):
     def test_names_and_lengths(self):
         sequences = lab.sequences(False)
-        self.assertEqual(sorted(s.name for s in sequences), sorted(f"lab_{kind}_{k}" for kind in ("uturn", "turn", "rails", "corridor") for k in range(1, 6)))
+        self.assertEqual(
+            sorted(s.name for s in sequences),
+            sorted(f"lab_{kind}_{k}" for kind in ("uturn", "turn", "rails", "corridor") for k in range(1, 6)),
+        )
         self.assertTrue(all(450 <= len(s.poses) <= 1050 for s in sequences))
         self.assertLess(abs(sum(len(s.poses) for s in sequences) - 12000), 600)
-        self.assertEqual([(s.name, len(s.poses)) for s in office.sequences(False)], [("office", 600), ("office_moved", 200)])
+        self.assertEqual(
+            [(s.name, len(s.poses)) for s in office.sequences(False)], [("office", 600), ("office_moved", 200)]
+        )
 
     def test_office_moved_follows_the_same_path_and_displaces_one_box(self):
         resting, moved = office.sequences(False)
@@ -42,7 +48,7 @@ class Paths(unittest.TestCase):
     def test_straight_is_exactly_three_metres(self):
         for s in [s for s in every() if "uturn" in s.name]:
             first, last = s.segments["straight"]
-            way = s.poses[first:last + 1, 1:4]
+            way = s.poses[first : last + 1, 1:4]
             self.assertAlmostEqual(np.linalg.norm(way[-1] - way[0]), 3.0, places=8)
             across = np.cross(way - way[0], (way[-1] - way[0]) / 3)
             self.assertLess(np.abs(across).max(), 1e-8, s.name)

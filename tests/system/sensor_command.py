@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Each effect of render.sh --sensor does what its unit says: a camera slides before a plane of known depth."""
+
 import subprocess
 import sys
 import tempfile
@@ -37,7 +38,9 @@ def write_sequence(folder, depth=True, image=texture):
     (folder / "camera.yaml").write_text(f"width: {WIDTH}\nheight: {HEIGHT}\nfx: {F}\nfy: {F}\ncx: 79.5\ncy: 59.5\n")
     stamps = [(i + 1) / RATE_HZ for i in range(FRAMES)]
     (folder / "rgb.txt").write_text("".join(f"{t:.6f} gray/{i:04d}.png\n" for i, t in enumerate(stamps)))
-    (folder / "groundtruth.txt").write_text("".join(f"{t:.6f} {SPEED_PX * Z_M / F * i:.9f} 0 0 0 0 0 1\n" for i, t in enumerate(stamps)))
+    (folder / "groundtruth.txt").write_text(
+        "".join(f"{t:.6f} {SPEED_PX * Z_M / F * i:.9f} 0 0 0 0 0 1\n" for i, t in enumerate(stamps))
+    )
     for i in range(FRAMES):
         cv2.imwrite(str(folder / f"gray/{i:04d}.png"), image(i))
         if depth:
@@ -63,7 +66,11 @@ class Sensor(unittest.TestCase):
         self.work = Path(temporary.name)
 
     def run_sensor(self, *options, source="in", output="out", status=0):
-        done = subprocess.run([sys.executable, sensor.__file__, str(self.work / source), str(self.work / output), *options], capture_output=True, text=True)
+        done = subprocess.run(
+            [sys.executable, sensor.__file__, str(self.work / source), str(self.work / output), *options],
+            capture_output=True,
+            text=True,
+        )
         self.assertEqual(done.returncode, status, done.stderr)
         return SequenceFiles(self.work / output) if status == 0 else done.stderr
 
@@ -114,8 +121,10 @@ class Sensor(unittest.TestCase):
                 write_sequence(self.work / source, depth)
                 grey = self.run_sensor("--motion-blur", "50", source=source, output=f"out{depth}").grey(1).astype(float)
                 around = int(edge_x(1))
-                slope, sharp = (np.diff(g[60, around - 6:around + 8]).max() for g in (grey, texture(1).astype(float)))
-                self.assertLess(slope, 0.4 * sharp)  # 6 px long: a sixth of the step a pixel, not the whole in one or two
+                slope, sharp = (np.diff(g[60, around - 6 : around + 8]).max() for g in (grey, texture(1).astype(float)))
+                self.assertLess(
+                    slope, 0.4 * sharp
+                )  # 6 px long: a sixth of the step a pixel, not the whole in one or two
                 self.assertAlmostEqual(np.median(edge_columns(grey)), edge_x(1), delta=0.6)
 
     def test_distortion_is_that_of_the_written_camera(self):
@@ -123,7 +132,10 @@ class Sensor(unittest.TestCase):
 
         def dotted(_):
             v, u = np.mgrid[0:HEIGHT, 0:WIDTH]
-            return np.clip(40 + sum(200 * np.exp(-((u - x) ** 2 + (v - y) ** 2) / 6) for x, y in dots), 0, 255).astype(np.uint8)
+            return np.clip(40 + sum(200 * np.exp(-((u - x) ** 2 + (v - y) ** 2) / 6) for x, y in dots), 0, 255).astype(
+                np.uint8
+            )
+
         write_sequence(self.work / "in", image=dotted)
         for lens in ("-0.2,0.05", "0.1,0"):
             files = self.run_sensor("--distortion", lens, output="out" + lens)
@@ -136,7 +148,9 @@ class Sensor(unittest.TestCase):
                     continue
                 u, v = np.meshgrid(np.arange(round(x) - 5, round(x) + 6), np.arange(round(y) - 5, round(y) + 6))
                 weight = grey[v, u] - 40
-                self.assertLess(np.hypot((weight * u).sum() / weight.sum() - x, (weight * v).sum() / weight.sum() - y), 0.1)
+                self.assertLess(
+                    np.hypot((weight * u).sum() / weight.sum() - x, (weight * v).sum() / weight.sum() - y), 0.1
+                )
             self.assertGreater(np.abs(wanted - dots).max(), 1.0)
             self.assertGreater(grey.min(), 30)  # no black rim
 
