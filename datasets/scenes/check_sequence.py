@@ -4,21 +4,21 @@
 
 Carries frames with depth into later ones and compares the grey levels there; a mirrored world must be clearly worse and
 an image shifted by half a pixel not better. Tells the depth range; less than 0.2 m means a camera that has run into
-something. In frame 0 the centroid of the dark target is compared with the projected one. The limit on grey levels is 3
-for pictures without noise; the mean difference of two pictures of noise s is 1.13 s."""
+something. In frame 0 the centroid of the dark target is compared with the projected one. Both pictures are smoothed by
+a pixel, so that it is not noise and aliasing that are compared."""
 
 import argparse
-import json
 import sys
 
+import cv2
 import numpy as np
 
 import reprojection
 from sequence_files import SequenceFiles
 
-LIMIT_GREY, WORST_FACTOR = 3.0, 1.5  # mean of all pairs without noise; the worst pair may be this much above
-LIMIT_CENTROID_PX = 0.2  # an edge along the rows is known to a ray, but noise and blur blend them
-LEAST_DEPTH_M, MIRRORED_FACTOR, LEAST_SHARE = 0.2, 3.0, 0.15
+LIMIT_GREY, LIMIT_WORST_GREY, SMOOTH_PX = 3.0, 4.0, 1.0  # mean of all pairs; worst pair; smoothing of both pictures
+LIMIT_CENTROID_PX = 0.25  # an edge along the rows is known to a ray, 2/3 px, but blur blends rows
+LEAST_DEPTH_M, MIRRORED_FACTOR, LEAST_SHARE = 0.2, 2.0, 0.15
 
 
 def pairs(files, count):
@@ -30,11 +30,14 @@ def pairs(files, count):
     return [(known[s], known[s] + 1 if n % 2 else known[s + 1]) for n, s in enumerate(starts)]
 
 
+def smoothed(grey):
+    return cv2.GaussianBlur(grey.astype(np.float32), (0, 0), SMOOTH_PX)
+
+
 def compare(files, i, j):
     """(grey-level differences: right, mirrored, shifted by half a pixel, not carried at all; share; least and largest depth)."""
     a, b = (
-        (files.poses[k], files.grey(k).astype(np.float32), files.depth_m(k) if files.has_depth(k) else None)
-        for k in (i, j)
+        (files.poses[k], smoothed(files.grey(k)), files.depth_m(k) if files.has_depth(k) else None) for k in (i, j)
     )
 
     def difference(**wrong):
@@ -52,13 +55,6 @@ def compare(files, i, j):
     ]
 
 
-def limit_grey(files):
-    """Noise and the JPEG quantiser's rounding add as they do to any difference of two pictures: in the squares."""
-    how = files.folder / "render.json"
-    made = json.loads(how.read_text()) if how.is_file() else {"noise_sigma_grey": 0.0, "jpeg_step": 0.0}
-    return float(np.hypot(LIMIT_GREY, 1.13 * np.hypot(made["noise_sigma_grey"], made["jpeg_step"] / 12**0.5)))
-
-
 def check(folder, count):
     """Prints one line; is the sequence in order?"""
     files = SequenceFiles(folder)
@@ -66,11 +62,10 @@ def check(folder, count):
         sys.exit(f"{folder}: only pictures without distortion are checked")
     rows = np.array([compare(files, i, j) for i, j in pairs(files, count)])
     right, mean = rows[:, 0], rows.mean(axis=0)
-    limit = limit_grey(files)
     offset = reprojection.target_offset(files.camera, files.poses[0], files.grey(0))
     good = (
-        mean[0] < limit
-        and right.max() < WORST_FACTOR * limit
+        mean[0] < LIMIT_GREY
+        and right.max() < LIMIT_WORST_GREY
         and rows[:, 5].min() > LEAST_DEPTH_M
         and mean[1] > MIRRORED_FACTOR * mean[0]
         and mean[4] > LEAST_SHARE
@@ -78,8 +73,8 @@ def check(folder, count):
     good = good and offset is not None and np.abs(offset).max() < LIMIT_CENTROID_PX
     off = "not in view" if offset is None else f"off by ({offset[0]:+.2f}, {offset[1]:+.2f}) px"
     print(
-        f"{files.folder.name}: {len(rows)} pairs differ by {mean[0]:.2f} grey levels (limit {limit:.1f}; worst {right.max():.2f}) over "
-        f"{100 * mean[4]:.0f} % of the pixels; mirrored {mean[1]:.1f}, half a pixel off {mean[2]:.2f}, not carried {mean[3]:.1f}; "
+        f"{files.folder.name}: {len(rows)} pairs differ by {mean[0]:.2f} grey levels (limit {LIMIT_GREY:g}; "
+        f"worst {right.max():.2f}, limit {LIMIT_WORST_GREY:g}) over {100 * mean[4]:.0f} % of the pixels; mirrored {mean[1]:.1f}, half a pixel off {mean[2]:.2f}, not carried {mean[3]:.1f}; "
         f"depth {rows[:, 5].min():.2f} to {rows[:, 6].max():.2f} m; target {off}{'' if good else '  WRONG'}",
         flush=True,
     )
