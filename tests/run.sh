@@ -12,7 +12,7 @@ case ${1-} in
     *) echo "usage: tests/run.sh [--full]" >&2; exit 2 ;;
 esac
 
-apps/install-packages.sh tests
+apps/install-packages.sh tests worlds
 apps/mono-slam-report/install.sh </dev/null ||
     echo "the report's packages cannot be installed (PyPI out of reach?): its tests and compare_with_evo will be skipped" >&2
 apps/mono-slam-batch/workflow/install.sh </dev/null ||
