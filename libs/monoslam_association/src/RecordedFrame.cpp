@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "bestCandidates.h"
@@ -41,6 +42,15 @@ bool known(const std::vector<Candidate>& candidates, const Candidate& candidate)
                        [&](const Candidate& other) { return other.z == candidate.z; });
 }
 
+/** Adds what is new of a search's answer. */
+void add(RecordedLandmark& landmark, const SearchResult& found, const RecordLimits& limits)
+{
+    if (found.status == SearchStatus::Done) landmark.status = SearchStatus::Done;
+    for (const Candidate& candidate : found.candidates)
+        if (!known(landmark.candidates, candidate)) landmark.candidates.push_back(candidate);
+    landmark.candidates = bestCandidates(std::move(landmark.candidates), limits.maxCandidates);
+}
+
 /** Searches one landmark for one belief and adds what is new. */
 void add(RecordedLandmark& landmark, const PredictedLandmark& row, const RecordLimits& limits,
          const FrameView& view)
@@ -53,11 +63,7 @@ void add(RecordedLandmark& landmark, const PredictedLandmark& row, const RecordL
     region.gate = limits.gate;
     region.maxCandidates = limits.maxCandidates;
     region.minScore = limits.minScore;
-    SearchResult found = view.search(region);
-    if (found.status == SearchStatus::Done) landmark.status = SearchStatus::Done;
-    for (Candidate& candidate : found.candidates)
-        if (!known(landmark.candidates, candidate)) landmark.candidates.push_back(candidate);
-    landmark.candidates = bestCandidates(std::move(landmark.candidates), limits.maxCandidates);
+    add(landmark, view.search(region), limits);
 }
 
 void compare(LandmarkId id, const char* quantity, const Eigen::MatrixXd& recorded,
@@ -144,6 +150,25 @@ RecordedFrame recordFrame(RecordedFrame frame, const FrameView& view)
             if (i == heaviest) at->second.predicted = row;
         }
     for (auto& [id, landmark] : byId) frame.landmarks.push_back(std::move(landmark));
+    return frame;
+}
+
+RecordedFrame withAnswers(RecordedFrame frame, const FrameView& view, const Associator& strategy,
+                          std::mt19937 rng)
+{
+    std::map<LandmarkId, RecordedLandmark*> byId;
+    for (RecordedLandmark& landmark : frame.landmarks) byId[landmark.id] = &landmark;
+    std::mutex mutex;
+    FrameView listening = view;
+    listening.search = [&](const SearchRegion& region)
+    {
+        const SearchResult answer = view.search(region);
+        const std::lock_guard<std::mutex> lock(mutex);
+        const auto landmark = byId.find(region.id);
+        if (landmark != byId.end()) add(*landmark->second, answer, frame.limits);
+        return answer;
+    };
+    static_cast<void>(strategy.correct(frame.mixture, listening, rng));
     return frame;
 }
 }  // namespace monoslam

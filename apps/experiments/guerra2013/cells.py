@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables: as CSV for the report, as Markdown for the documentation."""
+from dataclasses import dataclass
+
+import pandas as pd
+from programs import write_text
+
+
+def text(value):
+    """A cell: four digits, no exponent, a dash for what was not measured."""
+    if isinstance(value, str):
+        return value
+    if value is None or pd.isna(value):
+        return "-"
+    if float(value).is_integer():
+        return str(int(value))
+    digits = 4 - len(str(int(abs(value)))) if abs(value) >= 1 else 4
+    return f"{value:.{max(digits, 1)}f}"
+
+
+@dataclass
+class Table:
+    name: str
+    title: str
+    rows: list  # of dicts with the same keys
+    note: str = ""
+
+    @property
+    def cells(self):
+        return pd.DataFrame([{key: text(value) for key, value in row.items()} for row in self.rows])
+
+    def write(self, output):
+        write_text(output / "tables" / f"{self.name}.csv", self.cells.to_csv(index=False))
+
+    def markdown(self):
+        head = "| " + " | ".join(self.cells.columns) + " |\n"
+        rule = "|---" + "|--:" * (len(self.cells.columns) - 1) + "|\n"
+        lines = "".join("| " + " | ".join(row) + " |\n" for row in self.cells.to_numpy())
+        return head + rule + lines

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The sections of the report: which tables and figures stand where."""
+import batches
+import causes
+import cost
+import initialization
+import node_figures
+import node_tables
+import pair_figures
+import path_verdicts
+import times
+import track_figures
+import trajectories
+import verdicts
+from document import Section
+
+
+def searches(output, problems, runs, frames, name="", figures=True):
+    """Tables 1 to 5. \\p name: added to the tables' names, for a second set of sequences."""
+    tables = [node_tables.lengths(problems, runs), node_tables.nodes(problems, runs),
+              node_tables.sizes(problems), node_tables.rejections(problems, runs),
+              times.table5(frames)]
+    for table in tables:
+        table.name += name
+    if figures:
+        node_figures.nodes(problems, output)
+        node_figures.times(frames, output)
+    return tables
+
+
+def of_searches(output, evidence):
+    problems, runs, frames = evidence["problems"], evidence["runs"], evidence["frames"]
+    one, two, three, four, five = searches(output, problems, runs, frames)
+    node_figures.sizes(problems, output)
+    node_figures.places(problems, runs, output)
+    return [
+        Section("Lengths and searches", "", [one]),
+        Section("Nodes", "All methods on the same recorded problems. Nodes of HOHCT and JCBB: calls of "
+                "the recursion; of MRPT's: as it counts them, also where nothing had to be rejected. MRPT's "
+                "JCBB has no joint test; with one candidate each it visits every pair once.", [two],
+                "nodes"),
+        Section("Pairs and rejected pairs", "",
+                [three, four, node_tables.pairs(problems)], "sizes"),
+        Section("Time of a frame", "Whole runs, each method with its own map; images are decoded already. "
+                "The first frames, with detection of all corners, are included. A search that is not "
+                "finished ended at its node cap.", [five], "times"),
+        Section("Where searches happen", "", [node_tables.along_track(problems),
+                                              node_tables.by_sequence(problems, runs)], "places"),
+        Section("Cost against n and r", "Fits are least squares of the logarithm; a dash stands where there "
+                f"are fewer than {cost.LEAST} searches.",
+                [cost.equations(problems), cost.growth(problems), cost.exponents(problems)])]
+
+
+def of_paths(output, rendered, rows, measured):
+    validation = rows["validation"]
+    sections = []
+    if track_figures.figure5(output, rendered, validation):
+        sections.append(Section("Figure 5: maps and paths", "Top views; of every cell the run of median "
+                                "error. Runs are metric by the target in the first frame and not aligned.",
+                                [], "figure5"))
+    track_figures.gaps(measured, output)
+    sections.append(Section(
+        "Straight, turn, closing gap", "Estimates with HOHCT and without validation. Length: between "
+        "the ends of the marked straight. Opening: change of heading over the marked turn. Gap: from the end as "
+        "estimated to the true end, both seen from the start. Pairs of the same seed, two-sided sign test.",
+        [trajectories.compared(measured), trajectories.tracking(validation)], "gaps"))
+    return sections
+
+
+def of_pairs(output, rendered, judged):
+    captions = pair_figures.both(judged, rendered, output)
+    titles = {"figure6": "Figure 6: rejected because of a repeated design",
+              "figure7": "Figure 7: rejected on a composite landmark"}
+    sections = [Section("What is rejected", " ".join(causes.__doc__.split("\n\n", 1)[1].split()),
+                        [causes.table(judged)])]
+    for name, title in titles.items():
+        sections.append(Section(title, captions[name], [], name) if name in captions else
+                        Section(title, "No rejected pair of this kind in these sequences."))
+    return sections
+
+
+def of_initialization(output, rows):
+    frames = batches.all_frames(output, rows)
+    track_figures.initialization(rows, output)
+    return Section("Delayed and undelayed initialisation", "HOHCT as a branch and bound, since 50 pairs are "
+                   "too many to enumerate; the answer is the same. Errors: ATE after SE3 alignment.",
+                   [initialization.compared(rows, frames), initialization.tests(rows)],
+                   "initialization")
+
+
+def all_of(output, rendered, rows, evidence, of_real):
+    """\\p rows: of each batch. Writes the figures."""
+    measured = trajectories.measure(output, rendered, rows["validation"])
+    judged = causes.of_rejected(evidence["problems"], rendered)
+    known = {**evidence, "measured": measured, "judged": judged, "validation": rows["validation"],
+             "initialization": rows["initialization"]}
+    found = [decide(**known) for decide in (*verdicts.OF_NODES, *path_verdicts.OF_PATHS)]
+    sections = [Section("What holds", "", [verdicts.table([v for v in found if v])])]
+    sections += of_searches(output, evidence)
+    sections += of_paths(output, rendered, rows, measured)
+    sections += of_pairs(output, rendered, judged)
+    sections.append(of_initialization(output, rows["initialization"]))
+    if of_real:
+        sections.append(Section("Real sequences", "The same methods on the shared real sequences, "
+                                "640x480 or 752x480 at 30 frames a second. Only the chessboard gives a scale; in "
+                                "the others the unit is the median depth of the first landmarks.",
+                                searches(output, **of_real, name="_real", figures=False)))
+    return sections

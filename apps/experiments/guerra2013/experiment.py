@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The experiments of Guerra et al. 2013: tables, figures, verdicts. Called by run.sh, which see."""
+import argparse
+import concurrent.futures
+import os
+import sys
+import time
+from pathlib import Path
+
+import batches
+import chapters
+import document
+import pandas as pd
+import problems
+import worlds
+from plan import (FULL, NONE, PRINTED, QUICK, ROOT, WHOLE_RUNS, estimate_s, initialization_variants)
+from programs import write_text
+
+
+def parse():
+    parser = argparse.ArgumentParser(prog="run.sh", description=__doc__.split(".", 1)[0])
+    parser.add_argument("--quick", action="store_true", help="two short sequences of half size")
+    parser.add_argument("--worlds", type=Path, required=True, help="folder of the rendered sequences")
+    parser.add_argument("--output", type=Path, required=True)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--document", type=Path, help="write the Markdown to this file as well")
+    parser.add_argument("--datasets", type=Path, help="real sequences", default=os.environ.get(
+        "MONOSLAM_DATASETS", ROOT.parent / "shared" / "datasets"))
+    args = parser.parse_args()
+    if args.jobs < 1:
+        parser.error("--jobs: must be at least 1")
+    args.output = args.output.resolve()
+    return args
+
+
+def tell(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def find(args, plan):
+    """Rendered sequences that are complete, what the others lack, and the real ones."""
+    rendered, missing = worlds.rendered(args.worlds, plan.sequences)
+    for name, lack in missing.items():
+        tell(f"left out: {name}: {lack}")
+    if not rendered:
+        sys.exit(f"{args.worlds}: none of the sequences is complete: {' '.join(plan.sequences)}")
+    return rendered, missing, worlds.real(Path(args.datasets)) if plan.real else []
+
+
+def make_rawlogs(sequences, args):
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        made = pool.map(lambda sequence: worlds.make_rawlog(sequence, args.output), sequences)
+        return {sequence.name: rawlog for sequence, rawlog in zip(sequences, made)}
+
+
+def run_batches(args, plan, rendered, real, rawlogs):
+    """Rows of each batch by its name; results.csv is all of them."""
+    turning = [s for s in rendered if s.kind in ("uturn", "turn")]
+    asked = {"nodes": (rendered, WHOLE_RUNS, plan.node_seeds),
+             "validation": (turning, (PRINTED, NONE), plan.validation_seeds),
+             "initialization": (rendered, initialization_variants().values(),
+                                plan.initialization_seeds)}
+    if real:
+        asked["real"] = (real, WHOLE_RUNS, plan.node_seeds)
+    rows = {}
+    for name, (sequences, variants, seeds) in asked.items():
+        started = time.monotonic()
+        rows[name] = batches.run(name, args.output, sequences, rawlogs, list(variants), seeds,
+                                 args.jobs)
+        tell(f"{name}: {len(rows[name])} runs, {time.monotonic() - started:.0f} s")
+    everything = batches.all_rows(rows.values())
+    write_text(args.output / "results.csv", everything.to_csv(index=False))
+    failed = everything[everything.status != "done"]
+    for row in failed.itertuples():
+        tell(f"failed: {row.folder}: {row.error}")
+    return rows
+
+
+def lengths_of(rows, sequences):
+    """Frames and seconds of every run with the printed HOHCT."""
+    by_name = {s.name: s for s in sequences}
+    mine = batches.done(rows)[batches.done(rows).variant == PRINTED.name]
+    return pd.DataFrame([{"sequence": row.sequence, "frames": row.frames, "seconds":
+                          by_name[row.sequence].times[-1] - by_name[row.sequence].times[0]}
+                         for row in mine.itertuples()])
+
+
+def searches(args, sequences, rows, rawlogs):
+    started = time.monotonic()
+    found = problems.of_all(args.output, sequences, rawlogs, rows, args.jobs)
+    tell(f"problems: {len(found)} solutions, {time.monotonic() - started:.0f} s")
+    return {"problems": found, "runs": lengths_of(rows, sequences),
+            "frames": batches.all_frames(args.output, rows)}
+
+
+def what_ran(args, rendered, missing, real, rows):
+    command = "apps/experiments/guerra2013/run.sh" + (" --quick" if args.quick else "")
+    everything = batches.all_rows(rows.values())
+    failed = everything[everything.status != "done"]
+    text = (f"By `{command}`: {len(rendered)} rendered sequences of {sum(s.frames for s in rendered)} "
+            f"frames, {len(everything)} runs, {len(failed)} of them failed.")
+    if missing:
+        text += " Not rendered when this was made, and left out: " + ", ".join(missing) + "."
+    if real:
+        text += " Real sequences: " + ", ".join(s.name for s in real) + "."
+    return text
+
+
+def main():
+    args = parse()
+    plan = QUICK if args.quick else FULL
+    rendered, missing, real = find(args, plan)
+    minutes = estimate_s(plan, [*rendered, *real], args.jobs) / 60
+    tell(f"{len(rendered)} rendered, {len(real)} real sequences; about {minutes:.1f} minutes")
+    rawlogs = make_rawlogs([*rendered, *real], args)
+    rows = run_batches(args, plan, rendered, real, rawlogs)
+    evidence = searches(args, rendered, rows["nodes"], rawlogs)
+    of_real = searches(args, real, rows["real"], rawlogs) if real else None
+    sections = chapters.all_of(args.output, rendered, rows, evidence, of_real)
+    document.write(args.output, sections, what_ran(args, rendered, missing, real, rows))
+    if args.document:
+        write_text(args.document, (args.output / "guerra2013.md").read_text())
+    tell(f"{args.output}/guerra2013.md, tables, figures, report.json")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is run: sequences, methods, variants of the configuration, seeds."""
+from dataclasses import dataclass, field
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+CONFIG = ROOT / "config" / "guerra2013.ini"
+KINDS = ("uturn", "turn", "rails", "corridor")
+PAPER_FEATURES = 12  # its searches have 12.08 pairs on average
+FEATURES = (PAPER_FEATURES, 25, 50)
+NODE_CAP = 20_000_000  # of JCBB: a few seconds; searches that reach it are counted
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One way to run mono-slam: a strategy and what differs from config/guerra2013.ini."""
+
+    name: str
+    title: str
+    strategy: str
+    settings: dict = field(default_factory=dict)
+
+
+PRINTED = Variant("hohct_printed", "HOHCT, printed", "hohct",
+                  {"association.hohct.search": "printed"})
+UNBOUNDED = Variant("jcbb_unbounded", "JCBB, no bound", "jcbb",
+                    {"association.jcbb.bound": "false", "association.jcbb.node_cap": NODE_CAP})
+TREE = Variant("hohct_bb", "HOHCT, branch and bound", "hohct",
+               {"association.hohct.search": "branch_and_bound"})
+BOUNDED = Variant("jcbb_bounded", "JCBB, bound", "jcbb",
+                  {"association.jcbb.node_cap": NODE_CAP})
+MRPT = Variant("jcbb_mrpt", "MRPT's JCBB, 1 candidate", "jcbb_mrpt")
+MRPT_SEVERAL = Variant("jcbb_mrpt_3", "MRPT's JCBB, 3 candidates, 50 ms", "jcbb_mrpt",
+                       {"association.jcbb_mrpt.max_candidates": 3,
+                        "association.jcbb_mrpt.time_cap_s": 0.05})
+NONE = Variant("none", "no validation", "none")
+
+WHOLE_RUNS = (PRINTED, UNBOUNDED, TREE, BOUNDED, MRPT)  # Table 5
+ON_PROBLEMS = (*WHOLE_RUNS, MRPT_SEVERAL)  # Table 2: what each does with the same problems
+
+
+def initialization_variants():
+    """Delayed and undelayed; the branch and bound, because 50 pairs are too many to enumerate."""
+    return {(method, features): Variant(
+        f"{method}_{features}", f"{method}, {features} features", "hohct",
+        {**TREE.settings, "initialization.method": method, "map.measured_target": features})
+        for method in ("delayed", "undelayed") for features in FEATURES}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Full size or quick."""
+
+    world: str  # of datasets/render.sh
+    sequences: tuple
+    node_seeds: str
+    validation_seeds: str
+    initialization_seeds: str
+    real: bool
+
+
+FULL = Plan("lab", tuple(f"lab_{kind}_{i}" for i in range(1, 6) for kind in KINDS),
+            "1-3", "1-20", "1-3", True)
+QUICK = Plan("quick", ("lab_uturn_1", "lab_turn_1"), "1", "1-2", "1", False)
+
+
+def count(seeds):
+    """Of seeds as mono-slam-batch writes them, one range."""
+    first, _, last = seeds.partition("-")
+    return int(last or first) - int(first) + 1
+
+
+# Milliseconds a frame, with decoding and writing, and seconds a run beside its frames: what a run of
+# 424x240 took on one core of the machine that this was written on. For the estimate only.
+FRAME_MS = {12: 2.5, 25: 5.0, 50: 12.0}
+RUN_S = 0.3
+
+
+def estimate_s(plan, sequences, jobs):
+    """Of the runs to come, none of which has ended."""
+    def runs(features, frames, how_many, variants):
+        return variants * (frames * FRAME_MS[features] / 1000 + how_many * RUN_S)
+    frames = sum(s.frames for s in sequences)
+    turning = [s for s in sequences if s.marks and s.kind in ("uturn", "turn")]
+    total = count(plan.node_seeds) * runs(12, frames, len(sequences), len(WHOLE_RUNS) + 1)
+    total += count(plan.validation_seeds) * runs(12, sum(s.frames for s in turning), len(turning), 2)
+    for features in FEATURES:
+        total += count(plan.initialization_seeds) * runs(features, frames, len(sequences), 2)
+    return total / jobs
