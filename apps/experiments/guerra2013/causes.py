@@ -1,11 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Why pairs were rejected, as far as images and exact depth can tell.
-
-Repeated: two or more places in the search ellipse pass the threshold of a match. On a depth step: in the
-last frame that has depth, the surfaces under the patch differ by more than STEP of their depth, as where
-two edges seem to cross. Wrong: more than WRONG_PX from where the surface that the landmark showed in that
-frame is now, by the exact poses; so is a pair on a thing that moves.
-"""
+"""Why pairs were rejected, as far as images and exact depth can tell."""
 import functools
 import json
 
@@ -17,12 +11,20 @@ from PIL import Image
 from plan import PRINTED
 from problems import depth_frame
 from scipy.spatial.transform import Rotation
+from scipy.stats import chi2
 from tracks import read
 
 STEP = 0.1  # of the depth
 HALF_PATCH_PX = 5  # [search] patch_px = 11
 WRONG_PX = 3.0
+GATE = chi2.ppf(0.95, 2)  # [association] gate_probability
 DEPTH_UNITS = 5000.0  # a metre
+RULES = f"""Repeated: another place, {HALF_PATCH_PX} px or more from the match, passes the threshold of a match
+in the recorded ellipse of 99.99 %. Cut off: nearer than that, a better place lies outside the ellipse of 95 % that
+was searched, so that the match is on its border. On a depth step: in the last frame with depth, the surfaces under
+the patch differ by more than {100 * STEP:.0f} % of their depth, as where two edges seem to cross. Wrong: more than
+{WRONG_PX:.0f} px from where the surface that the landmark showed in that frame is now, by the exact poses; so is a
+pair on a thing that moves."""
 
 
 @functools.lru_cache(maxsize=64)
@@ -32,6 +34,31 @@ def recorded(folder, frame):
         problem = json.load(stream)
     return {landmark["id"]: landmark for landmark in problem["landmarks"]}, problem["camera"], \
         problem["min_score"]
+
+
+def distance2(landmark, candidate):
+    """Mahalanobis, from the prediction."""
+    nu = np.array(candidate["z"]) - np.array(landmark["predicted"]["h"])
+    return nu @ np.linalg.solve(np.array(landmark["predicted"]["S"]), nu)
+
+
+def match(landmark, min_score):
+    """Pixel and score of the pair that went into validation: the best in the searched ellipse."""
+    for candidate in landmark["candidates"] if landmark["predicted"] else []:
+        if candidate["score"] >= min_score and distance2(landmark, candidate) < GATE:
+            return np.array(candidate["z"]), candidate["score"]
+    return None
+
+
+def others(landmark, pixel, min_score):
+    """Far places that look like the landmark as well, and near ones outside the ellipse: scores."""
+    far, near = [], []
+    for candidate in landmark["candidates"]:
+        if np.linalg.norm(np.array(candidate["z"]) - pixel) >= HALF_PATCH_PX:
+            far += [candidate["score"]] if candidate["score"] >= min_score else []
+        elif distance2(landmark, candidate) >= GATE:
+            near.append(candidate["score"])
+    return far, near
 
 
 @functools.lru_cache(maxsize=8)
@@ -58,9 +85,10 @@ def surface(sequence, folder, frame, landmark_id):
     before = depth_frame(frame)
     image = depth(sequence, before)
     landmark = recorded(folder, before)[0].get(landmark_id)
-    if image is None or landmark is None or not landmark["candidates"]:
+    found = match(landmark, recorded(folder, before)[2]) if landmark else None
+    if image is None or found is None:
         return None
-    pixel = np.array(landmark["candidates"][0]["z"])
+    pixel = found[0]
     u, v = np.rint(pixel).astype(int)
     patch = image[max(v - HALF_PATCH_PX, 0):v + HALF_PATCH_PX + 1,
                   max(u - HALF_PATCH_PX, 0):u + HALF_PATCH_PX + 1]
@@ -80,19 +108,20 @@ def seen_again(sequence, camera, pixel, depth_m, frames):
 def judge(sequence, folder, frame, landmark_id):
     """One rejected pair."""
     landmarks, camera, min_score = recorded(folder, frame)
-    candidates = landmarks[landmark_id]["candidates"]
-    alike = sorted((c["score"] for c in candidates if c["score"] >= min_score), reverse=True)
+    place, score = match(landmarks[landmark_id], min_score)
+    far, near = others(landmarks[landmark_id], place, min_score)
     found = {"sequence": sequence.name, "kind": sequence.kind, "folder": folder, "frame": frame,
-             "id": landmark_id, "places": len(alike), "repeated": len(alike) > 1,
-             "second": alike[1] if len(alike) > 1 else 0.0, "known": False, "step": False,
-             "wrong": False, "off_px": np.nan, "depth_step": np.nan}
+             "id": landmark_id, "u": place[0], "v": place[1], "places": len(far),
+             "repeated": len(far) > 0, "second": max(far, default=0.0),
+             "cut": max(near, default=0.0) > score, "known": False, "step": False, "wrong": False,
+             "off_px": np.nan, "depth_step": np.nan}
     under = surface(sequence, folder, frame, landmark_id)
     if under is None:
         return found
     pixel, patch, depth_m = under
     low, high = np.nanpercentile(patch, [5, 95])
     now = seen_again(sequence, camera, pixel, depth_m, (depth_frame(frame), frame))
-    off_px = float(np.linalg.norm(now - np.array(candidates[0]["z"])))
+    off_px = float(np.linalg.norm(now - place))
     return {**found, "known": bool(np.isfinite(off_px)), "depth_step": (high - low) / low,
             "step": (high - low) / low > STEP, "off_px": off_px, "wrong": off_px > WRONG_PX}
 
@@ -111,12 +140,11 @@ def table(judged):
     groups = [("all", judged)] + list(judged.groupby("kind", sort=False)) if len(judged) else []
     for name, mine in groups:
         known = mine[mine.known]
-        step, repeated = known.step, known.repeated
+        none = ~known.step & ~known.repeated & ~known.cut
         rows.append({"sequences": name, "rejected pairs": len(mine),
-                     "several places pass, %": 100 * mine.repeated.mean(),
+                     "repeated, %": 100 * mine.repeated.mean(), "cut off, %": 100 * mine.cut.mean(),
                      "surface known": len(known), "wrong, %": 100 * known.wrong.mean(),
-                     "on a depth step, %": 100 * step.mean(),
-                     "both, %": 100 * (step & repeated).mean(),
-                     "neither, %": 100 * (~step & ~repeated).mean(),
-                     "wrong and neither, %": 100 * (known.wrong & ~step & ~repeated).mean()})
+                     "on a depth step, %": 100 * known.step.mean(),
+                     "none of the three, %": 100 * none.mean(),
+                     "wrong and none of them, %": 100 * (known.wrong & none).mean()})
     return Table("causes", "Why pairs were rejected", rows)

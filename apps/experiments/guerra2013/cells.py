@@ -33,7 +33,8 @@ class Table:
         write_text(output / "tables" / f"{self.name}.csv", self.cells.to_csv(index=False))
 
     def markdown(self):
-        head = "| " + " | ".join(self.cells.columns) + " |\n"
-        rule = "|---" + "|--:" * (len(self.cells.columns) - 1) + "|\n"
-        lines = "".join("| " + " | ".join(row) + " |\n" for row in self.cells.to_numpy())
-        return head + rule + lines
+        cells = self.cells
+        words = [any(isinstance(row[key], str) for row in self.rows) for key in cells.columns]
+        rule = "|" + "|".join("---" if word else "--:" for word in words) + "|\n"
+        lines = ["| " + " | ".join(row) + " |\n" for row in (cells.columns, *cells.to_numpy())]
+        return lines[0] + rule + "".join(lines[1:])

@@ -42,8 +42,8 @@ def of_searches(output, evidence):
         Section("Pairs and rejected pairs", "",
                 [three, four, node_tables.pairs(problems)], "sizes"),
         Section("Time of a frame", "Whole runs, each method with its own map; images are decoded already. "
-                "The first frames, with detection of all corners, are included. A search that is not "
-                "finished ended at its node cap.", [five], "times"),
+                "The first frame of a run, which finds the target and the first corners, stands apart. A search "
+                "that is not finished ended at its node cap.", [five], "times"),
         Section("Where searches happen", "", [node_tables.along_track(problems),
                                               node_tables.by_sequence(problems, runs)], "places"),
         Section("Cost against n and r", "Fits are least squares of the logarithm; a dash stands where there "
@@ -71,7 +71,7 @@ def of_pairs(output, rendered, judged):
     captions = pair_figures.both(judged, rendered, output)
     titles = {"figure6": "Figure 6: rejected because of a repeated design",
               "figure7": "Figure 7: rejected on a composite landmark"}
-    sections = [Section("What is rejected", " ".join(causes.__doc__.split("\n\n", 1)[1].split()),
+    sections = [Section("What is rejected", " ".join(causes.RULES.split()),
                         [causes.table(judged)])]
     for name, title in titles.items():
         sections.append(Section(title, captions[name], [], name) if name in captions else

@@ -6,6 +6,7 @@ from batches import done
 from cells import Table
 from monoslam_report.seeds import sign_test, summary
 from plan import FEATURES, initialization_variants
+from times import tracked
 
 
 def errors(rows, variant):
@@ -16,7 +17,7 @@ def errors(rows, variant):
 
 def cells(rows, frames, variant):
     runs = done(rows[rows.variant == variant.name])
-    mine = frames[frames.variant == variant.name]
+    mine = tracked(frames[frames.variant == variant.name])
     ate = summary(errors(rows, variant))
     extra = {"landmark error, median [mm]": 1000 * runs.landmark_median_m.median()} if (
         "landmark_median_m" in runs) else {}

@@ -2,7 +2,7 @@
 """Figures 6 and 7: a pair rejected because of a repeated design, and one on a depth step."""
 import matplotlib.pyplot as plt
 import numpy as np
-from causes import recorded
+from causes import match, recorded
 from matplotlib.patches import Ellipse
 from PIL import Image
 from plots import GREEN, ORANGE, RED, save
@@ -16,7 +16,9 @@ def example(judged, kind):
     """The clearest one: not both causes at once, wrong by the exact depth if there is such a one."""
     column, other, rank = (("repeated", "step", "second") if kind == "repeated" else
                            ("step", "repeated", "depth_step"))
-    mine = judged[judged.known & judged[column] & ~judged[other]] if len(judged) else judged
+    if not len(judged):
+        return None
+    mine = judged[judged.known & judged[column] & ~judged[other] & ~judged.cut]
     if not len(mine):
         return None
     wrong = mine[mine.wrong]
@@ -41,7 +43,8 @@ def enlarge(axis, image, centre):
 def draw(pair, sequence, output, name):
     landmarks, _, min_score = recorded(pair.folder, pair.frame)
     landmark = landmarks[pair.id]
-    before = recorded(pair.folder, depth_frame(pair.frame))[0][pair.id]["candidates"][0]["z"]
+    before = match(recorded(pair.folder, depth_frame(pair.frame))[0][pair.id], min_score)[0]
+    now = np.array([pair.u, pair.v])
     images = [np.asarray(Image.open(sequence.image(frame)).convert("L"))
               for frame in (depth_frame(pair.frame), pair.frame)]
     figure, axes = plt.subplots(1, 3, figsize=(12, 3.6), layout="constrained",
@@ -51,14 +54,14 @@ def draw(pair, sequence, output, name):
     axes[0].set_title(f"frame {depth_frame(pair.frame)}: accepted")
     enlarge(axes[1], images[1], landmark["predicted"]["h"])
     axes[1].add_patch(ellipse(landmark["predicted"]))
-    for candidate in landmark["candidates"][1:]:
-        if candidate["score"] >= min_score:
+    for candidate in landmark["candidates"]:
+        if candidate["score"] >= min_score and candidate["z"] != list(now):
             axes[1].plot(*candidate["z"], "o", color=ORANGE, markerfacecolor="none")
-    axes[1].plot(*landmark["candidates"][0]["z"], "*", color=RED, markersize=12,
+    axes[1].plot(*now, "*", color=RED, markersize=12,
                  markerfacecolor="none")
     axes[1].set_title(f"frame {pair.frame}: rejected")
     axes[2].imshow(images[1], cmap="gray", vmin=0, vmax=255)
-    axes[2].plot(*landmark["candidates"][0]["z"], "*", color=RED, markersize=14,
+    axes[2].plot(*now, "*", color=RED, markersize=14,
                  markerfacecolor="none")
     axes[2].set(title=sequence.name, xticks=[], yticks=[])
     axes[2].grid(False)
@@ -75,7 +78,7 @@ def both(judged, sequences, output):
             continue
         draw(pair, by_name[pair.sequence], output, name)
         captions[name] = (
-            f"{pair.sequence}, frame {pair.frame}, landmark {pair.id}: {pair.places} places in the "
-            f"ellipse pass, the surface has a depth step of {100 * pair.depth_step:.0f} %; the match is "
+            f"{pair.sequence}, frame {pair.frame}, landmark {pair.id}: {pair.places} other places "
+            f"pass the threshold, the surface has a depth step of {100 * pair.depth_step:.0f} %; the match is "
             f"{pair.off_px:.1f} px from where the surface of frame {depth_frame(pair.frame)} is.")
     return captions
