@@ -4,31 +4,29 @@ import subprocess
 import sys
 
 import pandas as pd
-from plan import CONFIG, PAPER_FEATURES
 from programs import program, write_text
 
 
-def ini_of(output, sequences, rawlogs, variants, seeds):
+def ini_of(output, config, sequences, rawlogs, variants, seeds):
     strategies = list(dict.fromkeys(variant.strategy for variant in variants))
     lines = ["[batch]", f"output = {output}", f"strategies = {' '.join(strategies)}",
              f"seeds = {seeds}", f"sequences = {' '.join(s.name for s in sequences)}",
              f"variants = {' '.join(v.name for v in variants)}"]
     for sequence in sequences:
         lines += ["", f"[sequence.{sequence.name}]", f"rawlog = {rawlogs[sequence.name]}",
-                  f"config = {CONFIG}"]
+                  f"config = {config}"]
         lines += [f"truth = {sequence.truth}"] if sequence.truth else ["out_and_back = true"]
         lines += [f"{key} = {value}" for key, value in sequence.settings.items()]
     for variant in variants:
         lines += ["", f"[variant.{variant.name}]", f"strategies = {variant.strategy}"]
-        lines += [f"{key} = {value}" for key, value in
-                  {"map.measured_target": PAPER_FEATURES, **variant.settings}.items()]
+        lines += [f"{key} = {value}" for key, value in variant.settings.items()]
     return "\n".join(lines) + "\n"
 
 
-def run(name, output, sequences, rawlogs, variants, seeds, jobs):
+def run(name, output, rawlogs, jobs, config, sequences, variants, seeds):
     """The rows of results.csv of one batch; runs that have ended are not made again."""
     ini = output / "batches" / f"{name}.ini"
-    write_text(ini, ini_of(output, sequences, rawlogs, variants, seeds))
+    write_text(ini, ini_of(output, config, sequences, rawlogs, variants, seeds))
     results = output / "results.csv"
     results.unlink(missing_ok=True)  # of another batch: must not be taken for this one's
     command = [program("mono-slam-batch"), ini, "--jobs", str(jobs), "--force"]

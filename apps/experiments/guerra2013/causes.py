@@ -2,6 +2,7 @@
 """Why pairs were rejected, as far as images and exact depth can tell."""
 import functools
 import json
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -27,11 +28,14 @@ the patch differ by more than {100 * STEP:.0f} % of their depth, as where two ed
 pair on a thing that moves."""
 
 
+def dump_of(folder, frame):
+    return Path(folder) / "dump" / f"association_{frame:06d}.json"
+
+
 @functools.lru_cache(maxsize=64)
 def recorded(folder, frame):
     """The landmarks of a dumped problem by their ids, and the camera."""
-    with open(f"{folder}/dump/association_{frame:06d}.json") as stream:
-        problem = json.load(stream)
+    problem = json.loads(dump_of(folder, frame).read_text())
     return {landmark["id"]: landmark for landmark in problem["landmarks"]}, problem["camera"], \
         problem["min_score"]
 
@@ -83,6 +87,8 @@ def depth(sequence, frame):
 def surface(sequence, folder, frame, landmark_id):
     """Pixel, depths under the patch, in the last frame with depth that shows the landmark."""
     before = depth_frame(frame)
+    if not dump_of(folder, before).exists():
+        return None  # the first frame, and others without landmarks, have no problem
     image = depth(sequence, before)
     landmark = recorded(folder, before)[0].get(landmark_id)
     found = match(landmark, recorded(folder, before)[2]) if landmark else None

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables: as CSV for the report, as Markdown for the documentation."""
+import math
 from dataclasses import dataclass
 
 import pandas as pd
@@ -7,11 +8,13 @@ from programs import write_text
 
 
 def text(value):
-    """A cell: four digits, no exponent, a dash for what was not measured."""
+    """A cell: four digits, no exponent, a dash for what was not measured, inf for a failed run."""
     if isinstance(value, str):
         return value
     if value is None or pd.isna(value):
         return "-"
+    if math.isinf(value):
+        return "inf"
     if float(value).is_integer():
         return str(int(value))
     digits = 4 - len(str(int(abs(value)))) if abs(value) >= 1 else 4

@@ -13,10 +13,11 @@ import track_figures
 import trajectories
 import verdicts
 from document import Section
+from plan import CONFIG, DEFAULTS, PAIRS
 
 
 def searches(output, problems, runs, frames, name="", figures=True):
-    """Tables 1 to 5. \\p name: added to the tables' names, for a second set of sequences."""
+    """Tables 1 to 5. name: added to the tables' names, for a second set of sequences."""
     tables = [node_tables.lengths(problems, runs), node_tables.nodes(problems, runs),
               node_tables.sizes(problems), node_tables.rejections(problems, runs),
               times.table5(frames)]
@@ -52,18 +53,21 @@ def of_searches(output, evidence):
 
 
 def of_paths(output, rendered, rows, measured):
-    validation = rows["validation"]
     sections = []
-    if track_figures.figure5(output, rendered, validation):
+    if track_figures.figure5(output, rendered, rows["validation"]):
         sections.append(Section("Figure 5: maps and paths", "Top views; of every cell the run of median "
-                                "error. Runs are metric by the target in the first frame and not aligned.",
+                                "error. Runs are metric by the target in the first frame; only the first pose is aligned.",
                                 [], "figure5"))
-    track_figures.gaps(measured, output)
+    track_figures.gaps(measured["validation"], PAIRS[CONFIG.name], output)
+    tables = [table(*what, config.name) for name, config in (("validation", CONFIG),
+                                                             ("defaults", DEFAULTS))
+              for table, what in ((trajectories.compared, (measured[name],)),
+                                  (trajectories.tracking, (rows[name],)))]
     sections.append(Section(
         "Straight, turn, closing gap", "Estimates with HOHCT and without validation. Length: between "
         "the ends of the marked straight. Opening: change of heading over the marked turn. Gap: from the end as "
-        "estimated to the true end, both seen from the start. Pairs of the same seed, two-sided sign test.",
-        [trajectories.compared(measured), trajectories.tracking(validation)], "gaps"))
+        "estimated to the true end, both seen from the first pose, by which a run is aligned. Pairs of the same seed, two-sided sign test. A run "
+        "that has no pose where one is needed counts as worse than any other.", tables, "gaps"))
     return sections
 
 
@@ -89,15 +93,19 @@ def of_initialization(output, rows):
 
 
 def all_of(output, rendered, rows, evidence, of_real):
-    """\\p rows: of each batch. Writes the figures."""
-    measured = trajectories.measure(output, rendered, rows["validation"])
+    """rows: of each batch. Writes the figures."""
     judged = causes.of_rejected(evidence["problems"], rendered)
-    known = {**evidence, "measured": measured, "judged": judged, "validation": rows["validation"],
-             "initialization": rows["initialization"]}
-    found = [decide(**known) for decide in (*verdicts.OF_NODES, *path_verdicts.OF_PATHS)]
+    found = [decide(**evidence) for decide in verdicts.OF_NODES]
+    turning = "validation" in rows
+    if turning:
+        measured = {name: trajectories.measure(output, rendered, rows[name])
+                    for name in ("validation", "defaults")}
+        found += [decide(measured=measured["validation"], **rows)
+                  for decide in path_verdicts.OF_VALIDATION]
+    found += [path_verdicts.fewer_features(**rows), path_verdicts.precise(judged)]
     sections = [Section("What holds", "", [verdicts.table([v for v in found if v])])]
     sections += of_searches(output, evidence)
-    sections += of_paths(output, rendered, rows, measured)
+    sections += of_paths(output, rendered, rows, measured) if turning else []
     sections += of_pairs(output, rendered, judged)
     sections.append(of_initialization(output, rows["initialization"]))
     if of_real:

@@ -35,8 +35,9 @@ def over(function, rows):
 
 
 def equations(problems):
-    """Means over the searches of one r; capped searches of JCBB are left out of both sides."""
+    """Means over the searches of one r; searches that reached a cap are left out."""
     printed = of(problems, PRINTED)
+    printed = printed[printed.proved == 1]
     unbounded = of(problems, UNBOUNDED)
     unbounded = unbounded[unbounded.proved == 1]
     rows = []

@@ -13,7 +13,8 @@ import document
 import pandas as pd
 import problems
 import worlds
-from plan import (FULL, NONE, PRINTED, QUICK, ROOT, WHOLE_RUNS, estimate_s, initialization_variants)
+from plan import (CONFIG, DEFAULTS, FULL, PAIRS, PRINTED, QUICK, ROOT, WHOLE_RUNS, estimate_s,
+                  initialization_variants)
 from programs import write_text
 
 
@@ -56,17 +57,18 @@ def make_rawlogs(sequences, args):
 def run_batches(args, plan, rendered, real, rawlogs):
     """Rows of each batch by its name; results.csv is all of them."""
     turning = [s for s in rendered if s.kind in ("uturn", "turn")]
-    asked = {"nodes": (rendered, WHOLE_RUNS, plan.node_seeds),
-             "validation": (turning, (PRINTED, NONE), plan.validation_seeds),
-             "initialization": (rendered, initialization_variants().values(),
+    asked = {"nodes": (CONFIG, rendered, WHOLE_RUNS, plan.node_seeds),
+             "initialization": (CONFIG, rendered, list(initialization_variants().values()),
                                 plan.initialization_seeds)}
+    if turning:
+        asked["validation"] = (CONFIG, turning, PAIRS[CONFIG.name], plan.validation_seeds)
+        asked["defaults"] = (DEFAULTS, turning, PAIRS[DEFAULTS.name], plan.default_seeds)
     if real:
-        asked["real"] = (real, WHOLE_RUNS, plan.node_seeds)
+        asked["real"] = (CONFIG, real, WHOLE_RUNS, plan.node_seeds)
     rows = {}
-    for name, (sequences, variants, seeds) in asked.items():
+    for name, batch in asked.items():
         started = time.monotonic()
-        rows[name] = batches.run(name, args.output, sequences, rawlogs, list(variants), seeds,
-                                 args.jobs)
+        rows[name] = batches.run(name, args.output, rawlogs, args.jobs, *batch)
         tell(f"{name}: {len(rows[name])} runs, {time.monotonic() - started:.0f} s")
     everything = batches.all_rows(rows.values())
     write_text(args.output / "results.csv", everything.to_csv(index=False))

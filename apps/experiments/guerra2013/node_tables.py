@@ -11,7 +11,7 @@ def of(problems, variant):
 
 
 def lengths(problems, runs):
-    """Table 1. \\p runs: a row a run, frames and seconds."""
+    """Table 1. runs: a row a run, frames and seconds."""
     searches = len(of(problems, PRINTED))
     rows = []
     for name, total in (("frames", runs.frames.sum()), ("seconds", runs.seconds.sum()),
@@ -39,7 +39,7 @@ def nodes(problems, runs):
                      "D2 evaluations / search": mine.d2_evaluations.mean(),
                      "ms / search": mine.associate_ms.mean(),
                      "worst ms": mine.associate_ms.max(),
-                     "node cap reached": int((mine.proved == 0).sum() - mine.capped.sum()),
+                     "node or subset cap reached": int((mine.proved == 0).sum() - mine.capped.sum()),
                      "time cap reached": int(mine.capped.sum()),
                      "smaller set than HOHCT's": smaller})
     return Table("table2", f"Table 2: nodes of {searches} searches", rows)

@@ -6,14 +6,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 CONFIG = ROOT / "config" / "guerra2013.ini"
 KINDS = ("uturn", "turn", "rails", "corridor")
-PAPER_FEATURES = 12  # its searches have 12.08 pairs on average
-FEATURES = (PAPER_FEATURES, 25, 50)
-NODE_CAP = 20_000_000  # of JCBB: a few seconds; searches that reach it are counted
+DEFAULTS = ROOT / "config" / "default.ini"
+FEATURES = (12, 25, 50)
+NODE_CAP = 10_000_000  # of JCBB: about a second; searches that reach it are counted
 
 
 @dataclass(frozen=True)
 class Variant:
-    """One way to run mono-slam: a strategy and what differs from config/guerra2013.ini."""
+    """One way to run mono-slam: a strategy and what differs from the configuration."""
 
     name: str
     title: str
@@ -34,6 +34,10 @@ MRPT_SEVERAL = Variant("jcbb_mrpt_3", "MRPT's JCBB, 3 candidates, 50 ms", "jcbb_
                        {"association.jcbb_mrpt.max_candidates": 3,
                         "association.jcbb_mrpt.time_cap_s": 0.05})
 NONE = Variant("none", "no validation", "none")
+# Of the defaults, which follow more landmarks and do not lose track so easily.
+DEFAULT = Variant("default_hohct", "HOHCT", "hohct")
+DEFAULT_NONE = Variant("default_none", "no validation", "none")
+PAIRS = {"guerra2013.ini": (PRINTED, NONE), "default.ini": (DEFAULT, DEFAULT_NONE)}
 
 WHOLE_RUNS = (PRINTED, UNBOUNDED, TREE, BOUNDED, MRPT)  # Table 5
 ON_PROBLEMS = (*WHOLE_RUNS, MRPT_SEVERAL)  # Table 2: what each does with the same problems
@@ -55,13 +59,14 @@ class Plan:
     sequences: tuple
     node_seeds: str
     validation_seeds: str
+    default_seeds: str
     initialization_seeds: str
     real: bool
 
 
 FULL = Plan("lab", tuple(f"lab_{kind}_{i}" for i in range(1, 6) for kind in KINDS),
-            "1-3", "1-20", "1-3", True)
-QUICK = Plan("quick", ("lab_uturn_1", "lab_turn_1"), "1", "1-2", "1", False)
+            "1-3", "1-20", "1-5", "1-3", True)
+QUICK = Plan("quick", ("lab_uturn_1", "lab_turn_1"), "1", "1-2", "1", "1", False)
 
 
 def count(seeds):
@@ -72,18 +77,25 @@ def count(seeds):
 
 # Milliseconds a frame, with decoding and writing, and seconds a run beside its frames: what a run of
 # 424x240 took on one core of the machine that this was written on. For the estimate only.
-FRAME_MS = {12: 2.5, 25: 5.0, 50: 12.0}
+FRAME_MS = {12: 2.5, 25: 4.0, 50: 9.0}
+DEFAULT_MS = 8.0
+UNBOUNDED_S = 15  # a run more, for the searches of JCBB without its bound
 RUN_S = 0.3
 
 
 def estimate_s(plan, sequences, jobs):
     """Of the runs to come, none of which has ended."""
-    def runs(features, frames, how_many, variants):
-        return variants * (frames * FRAME_MS[features] / 1000 + how_many * RUN_S)
+    def runs(frame_ms, frames, how_many, variants):
+        return variants * (frames * frame_ms / 1000 + how_many * RUN_S)
     frames = sum(s.frames for s in sequences)
     turning = [s for s in sequences if s.marks and s.kind in ("uturn", "turn")]
-    total = count(plan.node_seeds) * runs(12, frames, len(sequences), len(WHOLE_RUNS) + 1)
-    total += count(plan.validation_seeds) * runs(12, sum(s.frames for s in turning), len(turning), 2)
+    in_turns = sum(s.frames for s in turning)
+    total = count(plan.node_seeds) * (
+        runs(FRAME_MS[25], frames, len(sequences), len(WHOLE_RUNS) + 1) +
+        len(sequences) * 2 * UNBOUNDED_S * frames / len(sequences) / 600)
+    total += count(plan.validation_seeds) * runs(FRAME_MS[25], in_turns, len(turning), 2)
+    total += count(plan.default_seeds) * runs(DEFAULT_MS, in_turns, len(turning), 2)
     for features in FEATURES:
-        total += count(plan.initialization_seeds) * runs(features, frames, len(sequences), 2)
+        total += count(plan.initialization_seeds) * runs(FRAME_MS[features], frames,
+                                                         len(sequences), 2)
     return total / jobs

@@ -35,7 +35,7 @@ def draw(axis, sequence, row, output, title):
 
 
 def figure5(output, sequences, rows):
-    """One sequence of either kind, the first that is there. \\return whether there is one"""
+    """One sequence of either kind, the first that is there. Returns whether there is one"""
     chosen = []
     for kind in ("uturn", "turn"):
         chosen += [s for s in sequences if s.kind == kind][:1]
@@ -72,8 +72,9 @@ def initialization(rows, output):
     save(figure, output, "initialization")
 
 
-def gaps(measured, output):
+def gaps(measured, variants, output):
     """Errors of the straight, the turn and the gap, every run with validation against none."""
+    validated, none = (variant.name for variant in variants)
     names = list(dict.fromkeys(measured.figure))
     figure, axes = plt.subplots(1, len(names), figsize=(4 * len(names), 3.8), layout="constrained",
                                 squeeze=False)
@@ -81,7 +82,7 @@ def gaps(measured, output):
         mine = measured[measured.figure == name].pivot(index=["sequence", "seed"],
                                                        columns="variant", values="error")
         both = mine[np.isfinite(mine).all(axis=1)]
-        axis.loglog(both[NONE.name], both[PRINTED.name], ".", color=GREEN, alpha=0.6)
+        axis.loglog(both[none], both[validated], ".", color=GREEN, alpha=0.6)
         limits = [both.min().min() * 0.8, both.max().max() * 1.25] if len(both) else [0.1, 1]
         axis.plot(limits, limits, color="black", linestyle=":", label="equal")
         axis.set(title=f"error of the {name}", xlabel="no validation", ylabel="HOHCT")

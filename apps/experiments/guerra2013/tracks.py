@@ -17,19 +17,27 @@ def matched(truth, estimate, period_s):
 
 
 class Track:
-    """True and estimated poses of the frames that have both; a metric run is not aligned."""
+    """True and estimated poses of the frames that have both, aligned by the first pose.
+
+    A metric run needs no scale, but a rectangle does not tell which of its long sides is the front.
+    """
 
     def __init__(self, sequence, run_folder):
         self.sequence = sequence
         period_s = float(np.median(np.diff(sequence.times)))
         self.truth, self.estimate = matched(read(sequence.truth), read(run_folder / "trajectory.tum"),
                                             period_s)
+        self.estimate.align_origin(self.truth)
         self.frames = np.searchsorted(np.asarray(sequence.times) + period_s / 2,
                                       self.truth.timestamps)
 
     def ends(self, segment):
-        """Indices of a segment's first and last pose; nothing where one has no estimate."""
-        places = [np.flatnonzero(self.frames == frame) for frame in segment]
+        """Indices of a segment's first and last pose; nothing where one has no estimate.
+
+        A run that has found its target some frames late begins with its first pose.
+        """
+        first = max(segment[0], int(self.frames[0]))
+        places = [np.flatnonzero(self.frames == frame) for frame in (first, segment[1])]
         return [int(place[0]) for place in places] if all(map(len, places)) else None
 
 

@@ -7,7 +7,7 @@ import tracks
 from batches import done
 from cells import Table
 from monoslam_report.seeds import sign_test, summary
-from plan import NONE, PRINTED
+from plan import PAIRS
 
 FIGURES = ("straight, length [m]", "turn, opening [deg]", "closing gap [m]")
 
@@ -34,35 +34,36 @@ def spread(values):
     return f"{s.median:.3f} [{s.quartiles[0]:.3f}, {s.quartiles[1]:.3f}] {s.worst:.3f}"
 
 
-def pair(measured, figure, name=None):
+def pair(measured, variants, figure, name=None):
     """Errors with validation and without, the same runs in both."""
     mine = measured[measured.figure == figure]
     mine = mine if name is None else mine[mine.sequence == name]
     table = mine.pivot(index=["sequence", "seed"], columns="variant", values="error")
-    return table[PRINTED.name], table[NONE.name]
+    return [list(table[variant.name]) for variant in variants]
 
 
-def compared(measured):
+def compared(measured, config):
     """Table: a row a sequence and figure."""
     rows = []
+    variants = PAIRS[config]
     for (name, figure), mine in measured.groupby(["sequence", "figure"], sort=False):
         cells = {"sequence": name, "figure": figure, "truth": mine.truth.median()}
-        for variant, title in ((PRINTED, "HOHCT"), (NONE, "none")):
+        for variant, title in zip(variants, ("HOHCT", "none")):
             runs = mine[mine.variant == variant.name]
             cells[f"{title}: median [quartiles] worst"] = spread(runs.estimate)
             cells[f"{title}: median error"] = summary(runs.error).median
-        test = sign_test(*(list(errors) for errors in pair(measured, figure, name)))
+        test = sign_test(*pair(measured, variants, figure, name))
         rows.append({**cells, "HOHCT better": test.wins, "worse": test.losses, "p": test.p})
-    return Table("figure5", "Figure 5 in numbers", rows)
+    return Table(f"figure5_{config.split('.')[0]}", f"Figure 5 in numbers, config/{config}", rows)
 
 
-def tracking(rows):
+def tracking(rows, config):
     """How the runs ended: failed ones, lost frames, error."""
     table = []
     for name, mine in rows.groupby("sequence", sort=False):
         cells = {"sequence": name}
         errors = {}
-        for variant, title in ((PRINTED, "HOHCT"), (NONE, "none")):
+        for variant, title in zip(PAIRS[config], ("HOHCT", "none")):
             runs = mine[mine.variant == variant.name].set_index("seed")
             errors[title] = runs.SE3_ate_rmse_mm.where(runs.status == "done", math.inf)
             cells[f"{title}: runs"] = len(runs)
@@ -73,4 +74,5 @@ def tracking(rows):
         both = pd.DataFrame(errors)
         test = sign_test(list(both["HOHCT"]), list(both["none"]))
         table.append({**cells, "HOHCT better": test.wins, "worse": test.losses, "p": test.p})
-    return Table("tracking", "Trajectory error with validation and without", table)
+    return Table(f"tracking_{config.split('.')[0]}",
+                 f"Trajectory error with validation and without, config/{config}", table)
