@@ -14,7 +14,7 @@ from .results import Cell
 
 POSE = 6  # numbers of a pose
 INSIDE = (0.025, 0.975)
-COLUMNS = ["NEES / 6", "NIS / (2 pairs)"]
+COLUMNS = ["NEES / 6 [1]", "NIS / 2 pairs [1]"]
 
 
 def section(context: Context) -> Section:

@@ -31,6 +31,7 @@ class FigureFolder:
             part = file.with_name(file.name + ".part")
             figure.savefig(part, format=kind, metadata=metadata, transparent=kind == "svg")
             os.replace(part, file)
+            figure.set_layout_engine("none")  # laid out once is enough
         plt.close(figure)
         drawing = self.path(f"{name}.svg")
         return Figure(inline(drawing.read_text(encoding="utf-8"), drawing.stem, caption), caption)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from .track import Track, track_of
+from .track import Track, track_from_errors, track_of
 
 
 @dataclass
@@ -49,10 +49,11 @@ class Job:
         if self.status != "done":
             return None
         try:
-            return track_of(self.folder, with_scale=not self.metric)
+            track = track_of(self.folder, with_scale=not self.metric)
         except ValueError as error:
             self._note("trajectory.tum", str(error))
-        return None
+            return None
+        return track_from_errors(self.errors) if track is None and self.errors is not None else track
 
     @property
     def start_s(self) -> float:
