@@ -16,6 +16,8 @@ def ini_of(output, config, sequences, rawlogs, variants, seeds):
         lines += ["", f"[sequence.{sequence.name}]", f"rawlog = {rawlogs[sequence.name]}",
                   f"config = {config}"]
         lines += [f"truth = {sequence.truth}"] if sequence.truth else ["out_and_back = true"]
+        if sequence.marks:  # rendered: landmark errors as well
+            lines.append(f"depth = {sequence.folder / 'depth'}")
         lines += [f"{key} = {value}" for key, value in sequence.settings.items()]
     for variant in variants:
         lines += ["", f"[variant.{variant.name}]", f"strategies = {variant.strategy}"]

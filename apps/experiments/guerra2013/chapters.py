@@ -54,10 +54,13 @@ def of_searches(output, evidence):
 
 def of_paths(output, rendered, rows, measured):
     sections = []
-    if track_figures.figure5(output, rendered, rows["validation"]):
-        sections.append(Section("Figure 5: maps and paths", "Top views; of every cell the run of median "
-                                "error. Runs are metric by the target in the first frame; only the first pose is aligned.",
-                                [], "figure5"))
+    for name, config, figure in (("validation", CONFIG, "figure5"),
+                                 ("defaults", DEFAULTS, "figure5_defaults")):
+        if track_figures.figure5(output, rendered, rows[name], PAIRS[config.name], figure):
+            sections.append(Section(
+                f"Figure 5: maps and paths, config/{config.name}", "Top views; of every cell the run of "
+                "median error. Runs are metric by the target in the first frame; only the first pose is "
+                "aligned.", [], figure))
     track_figures.gaps(measured["validation"], PAIRS[CONFIG.name], output)
     tables = [table(*what, config.name) for name, config in (("validation", CONFIG),
                                                              ("defaults", DEFAULTS))

@@ -3,6 +3,7 @@
 import argparse
 import concurrent.futures
 import os
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -21,16 +22,18 @@ from programs import write_text
 def parse():
     parser = argparse.ArgumentParser(prog="run.sh", description=__doc__.split(".", 1)[0])
     parser.add_argument("--quick", action="store_true", help="two short sequences of half size")
-    parser.add_argument("--worlds", type=Path, required=True, help="folder of the rendered sequences")
-    parser.add_argument("--output", type=Path, required=True)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--worlds", type=Path, help="rendered sequences; incomplete ones are left out")
+    parser.add_argument("--output", type=Path, help="a call goes on where an earlier one ended")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time")
     parser.add_argument("--document", type=Path, help="write the Markdown to this file as well")
     parser.add_argument("--datasets", type=Path, help="real sequences", default=os.environ.get(
         "MONOSLAM_DATASETS", ROOT.parent / "shared" / "datasets"))
     args = parser.parse_args()
     if args.jobs < 1:
-        parser.error("--jobs: must be at least 1")
-    args.output = args.output.resolve()
+        sys.exit("run.sh: --jobs: must be at least 1")
+    if args.worlds and not args.worlds.is_dir():
+        sys.exit(f"run.sh: --worlds: {args.worlds}: no such folder")
+    args.output = (args.output or ROOT / "build" / f"guerra2013{'-quick' if args.quick else ''}").resolve()
     return args
 
 
@@ -38,13 +41,34 @@ def tell(text):
     print(text, file=sys.stderr, flush=True)
 
 
+def claim(output):
+    """The output folder, which must be ours or empty."""
+    mark = output / "batches"
+    if output.exists() and not output.is_dir() or (
+            output.is_dir() and any(output.iterdir()) and not mark.is_dir()):
+        sys.exit(f"run.sh: --output: {output}: is not empty and not of this experiment")
+    mark.mkdir(parents=True, exist_ok=True)
+
+
+def render(folder, plan):
+    """What is missing; frames that are there are kept."""
+    script = ROOT / "datasets" / "render.sh"
+    if subprocess.run([script, folder, "--world", plan.world], stdout=sys.stderr).returncode:
+        sys.exit(f"run.sh: {folder}: the sequences could not be rendered")
+
+
 def find(args, plan):
     """Rendered sequences that are complete, what the others lack, and the real ones."""
-    rendered, missing = worlds.rendered(args.worlds, plan.sequences)
+    folder = args.worlds or Path(os.environ.get("MONOSLAM_WORLDS") or ROOT / "build" / (
+        "worlds-quick" if args.quick else "worlds"))
+    rendered, missing = worlds.rendered(folder, plan.sequences)
+    if missing and not args.worlds:
+        render(folder, plan)
+        rendered, missing = worlds.rendered(folder, plan.sequences)
     for name, lack in missing.items():
         tell(f"left out: {name}: {lack}")
     if not rendered:
-        sys.exit(f"{args.worlds}: none of the sequences is complete: {' '.join(plan.sequences)}")
+        sys.exit(f"run.sh: {folder}: none of its sequences is complete")
     return rendered, missing, worlds.real(Path(args.datasets)) if plan.real else []
 
 
@@ -111,6 +135,7 @@ def what_ran(args, rendered, missing, real, rows):
 def main():
     args = parse()
     plan = QUICK if args.quick else FULL
+    claim(args.output)
     rendered, missing, real = find(args, plan)
     minutes = estimate_s(plan, [*rendered, *real], args.jobs) / 60
     tell(f"{len(rendered)} rendered, {len(real)} real sequences; about {minutes:.1f} minutes")
@@ -122,7 +147,9 @@ def main():
     document.write(args.output, sections, what_ran(args, rendered, missing, real, rows))
     if args.document:
         write_text(args.document, (args.output / "guerra2013.md").read_text())
-    tell(f"{args.output}/guerra2013.md, tables, figures, report.json")
+    tell(f"{args.output}/guerra2013.md")
+    report = ROOT / "apps" / "mono-slam-report" / "mono-slam-report"
+    sys.exit(subprocess.run([report, args.output]).returncode)
 
 
 if __name__ == "__main__":

@@ -35,8 +35,9 @@ def ellipse(predicted):
 
 def enlarge(axis, image, centre):
     axis.imshow(image, cmap="gray", vmin=0, vmax=255)
-    axis.set(xlim=(centre[0] - HALF_PX, centre[0] + HALF_PX),
-             ylim=(centre[1] + HALF_PX, centre[1] - HALF_PX), xticks=[], yticks=[])
+    low = np.clip(centre, HALF_PX, np.array(image.shape[::-1]) - HALF_PX) - HALF_PX
+    axis.set(xlim=(low[0], low[0] + 2 * HALF_PX), ylim=(low[1] + 2 * HALF_PX, low[1]), xticks=[],
+             yticks=[])
     axis.grid(False)
 
 

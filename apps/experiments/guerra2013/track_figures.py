@@ -5,7 +5,7 @@ import numpy as np
 import pandas as pd
 from batches import done
 from initialization import errors
-from plan import FEATURES, NONE, PRINTED, initialization_variants
+from plan import FEATURES, initialization_variants
 from plots import BLUE, GREEN, GREY, ORANGE, save
 from tracks import Track
 
@@ -20,22 +20,23 @@ def median_run(rows, name, variant):
 def draw(axis, sequence, row, output, title):
     track = Track(sequence, output / row.folder)
     points = pd.read_csv(output / row.folder / "map.csv")
+    places = track.aligned(points[["x_m", "y_m", "z_m"]].to_numpy())
     true, found = track.truth.positions_xyz, track.estimate.positions_xyz
     axis.plot(true[:, 0], true[:, 1], color=GREY, linestyle="--", label="true path")
     axis.plot(found[:, 0], found[:, 1], color=BLUE, label="estimated path")
     axis.plot(found[0, 0], found[0, 1], "o", color=BLUE, markersize=4)
     span = np.vstack([true[:, :2], found[:, :2]])
     low, high = span.min(axis=0) - 1.0, span.max(axis=0) + 1.0
-    inside = points[points.x_m.between(low[0], high[0]) & points.y_m.between(low[1], high[1])]
-    axis.plot(inside.x_m, inside.y_m, ".", color=ORANGE, markersize=4,
-              label=f"landmarks ({len(inside)} of {len(points)} in this part)")
+    inside = places[((places[:, :2] > low) & (places[:, :2] < high)).all(axis=1)]
+    axis.plot(inside[:, 0], inside[:, 1], ".", color=ORANGE, markersize=4,
+              label=f"landmarks ({len(inside)} of {len(places)} in this part)")
     axis.set(title=f"{title}, seed {row.seed}: ATE {row.SE3_ate_rmse_mm:.0f} mm", aspect="equal",
              xlabel="x [m]", ylabel="y [m]")
     axis.legend(fontsize=7)
 
 
-def figure5(output, sequences, rows):
-    """One sequence of either kind, the first that is there. Returns whether there is one"""
+def figure5(output, sequences, rows, variants, name):
+    """One sequence of either kind, the first that is there. Returns whether there is one."""
     chosen = []
     for kind in ("uturn", "turn"):
         chosen += [s for s in sequences if s.kind == kind][:1]
@@ -44,13 +45,13 @@ def figure5(output, sequences, rows):
     figure, axes = plt.subplots(len(chosen), 2, figsize=(11, 4.6 * len(chosen)),
                                 layout="constrained", squeeze=False, sharex="row", sharey="row")
     for line, sequence in zip(axes, chosen):
-        for axis, variant in zip(line, (PRINTED, NONE)):
+        for axis, variant in zip(line, variants):
             row = median_run(rows, sequence.name, variant)
             if row is None:
                 axis.set(title=f"{sequence.name}, {variant.title}: all runs failed")
                 continue
             draw(axis, sequence, row, output, f"{sequence.name}, {variant.title}")
-    save(figure, output, "figure5")
+    save(figure, output, name)
     return True
 
 

@@ -27,9 +27,13 @@ class Track:
         period_s = float(np.median(np.diff(sequence.times)))
         self.truth, self.estimate = matched(read(sequence.truth), read(run_folder / "trajectory.tum"),
                                             period_s)
-        self.estimate.align_origin(self.truth)
+        self.alignment = self.estimate.align_origin(self.truth)
         self.frames = np.searchsorted(np.asarray(sequence.times) + period_s / 2,
                                       self.truth.timestamps)
+
+    def aligned(self, points):
+        """The map's points where the aligned path has them."""
+        return points @ self.alignment[:3, :3].T + self.alignment[:3, 3]
 
     def ends(self, segment):
         """Indices of a segment's first and last pose; nothing where one has no estimate.
