@@ -7,6 +7,7 @@ import initialization
 import node_figures
 import node_tables
 import pair_figures
+import paper
 import path_verdicts
 import times
 import track_figures
@@ -16,40 +17,48 @@ from document import Section
 from plan import CONFIG, DEFAULTS, PAIRS
 
 
-def searches(output, problems, runs, frames, name="", figures=True):
-    """Tables 1 to 5. name: added to the tables' names, for a second set of sequences."""
-    tables = [node_tables.lengths(problems, runs), node_tables.nodes(problems, runs),
-              node_tables.sizes(problems), node_tables.rejections(problems, runs),
-              times.table5(frames)]
-    for table in tables:
-        table.name += name
-    if figures:
-        node_figures.nodes(problems, output)
-        node_figures.times(frames, output)
-    return tables
+def tables_of_searches(problems, runs, frames):
+    """Tables 1 to 5, two of them in two parts."""
+    return {table.name: table for table in (
+        node_tables.lengths(problems, runs), node_tables.nodes(problems, runs),
+        node_tables.work(problems), node_tables.sizes(problems),
+        node_tables.rejections(problems, runs), times.table5(frames), times.parts(frames))}
 
 
-def of_searches(output, evidence):
-    problems, runs, frames = evidence["problems"], evidence["runs"], evidence["frames"]
-    one, two, three, four, five = searches(output, problems, runs, frames)
+def of_searches(output, problems, runs, frames):
+    node_figures.nodes(problems, output)
+    node_figures.times(frames, output)
     node_figures.sizes(problems, output)
     node_figures.places(problems, runs, output)
+    tables = tables_of_searches(problems, runs, frames)
     return [
-        Section("Lengths and searches", "", [one]),
+        Section("Lengths and searches", "", [tables["table1"]]),
         Section("Nodes", "All methods on the same recorded problems. Nodes of HOHCT and JCBB: calls of "
                 "the recursion; of MRPT's: as it counts them, also where nothing had to be rejected. MRPT's "
-                "JCBB has no joint test; with one candidate each it visits every pair once.", [two],
-                "nodes"),
+                "JCBB has no joint test; with one candidate each it visits every pair once. A search that "
+                "reached its cap has at least the nodes that are counted.",
+                [tables["table2"], tables["table2_work"]], "nodes"),
         Section("Pairs and rejected pairs", "",
-                [three, four, node_tables.pairs(problems)], "sizes"),
+                [tables["table3"], tables["table4"], node_tables.pairs(problems)], "sizes"),
         Section("Time of a frame", "Whole runs, each method with its own map; images are decoded already. "
                 "The first frame of a run, which finds the target and the first corners, stands apart. A search "
-                "that is not finished ended at its node cap.", [five], "times"),
+                "that is not finished ended at its cap.", [tables["table5"], tables["table5_parts"]],
+                "times"),
         Section("Where searches happen", "", [node_tables.along_track(problems),
                                               node_tables.by_sequence(problems, runs)], "places"),
         Section("Cost against n and r", "Fits are least squares of the logarithm; a dash stands where there "
                 f"are fewer than {cost.LEAST} searches.",
                 [cost.equations(problems), cost.growth(problems), cost.exponents(problems)])]
+
+
+def of_real(problems, runs, frames):
+    tables = tables_of_searches(problems, runs, frames)
+    for name, table in tables.items():
+        table.name = f"{name}_real"
+    return Section("Real sequences", "The same methods on the shared real sequences, 640x480 or 752x480 at "
+                   "30 frames a second. Only the chessboard gives a scale; in the others the unit is the "
+                   "median depth of the first landmarks.",
+                   [*tables.values(), node_tables.by_sequence(problems, runs, "by_sequence_real")])
 
 
 def of_paths(output, rendered, rows, measured):
@@ -95,8 +104,8 @@ def of_initialization(output, rows):
                    "initialization")
 
 
-def all_of(output, rendered, rows, evidence, of_real):
-    """rows: of each batch. Writes the figures."""
+def all_of(output, rendered, rows, evidence, real):
+    """rows: of each batch; real: evidence of the real sequences. Writes the figures."""
     judged = causes.of_rejected(evidence["problems"], rendered)
     found = [decide(**evidence) for decide in verdicts.OF_NODES]
     turning = "validation" in rows
@@ -106,14 +115,12 @@ def all_of(output, rendered, rows, evidence, of_real):
         found += [decide(measured=measured["validation"], **rows)
                   for decide in path_verdicts.OF_VALIDATION]
     found += [path_verdicts.fewer_features(**rows), path_verdicts.precise(judged)]
-    sections = [Section("What holds", "", [verdicts.table([v for v in found if v])])]
-    sections += of_searches(output, evidence)
+    found = [verdict for verdict in found if verdict]
+    verdicts.table(found).write(output)
+    sections = [Section("Which of the paper's claims hold", verdicts.listed(found)),
+                Section("What does not add up in the paper", paper.SLIPS),
+                *of_searches(output, **evidence)]
     sections += of_paths(output, rendered, rows, measured) if turning else []
     sections += of_pairs(output, rendered, judged)
     sections.append(of_initialization(output, rows["initialization"]))
-    if of_real:
-        sections.append(Section("Real sequences", "The same methods on the shared real sequences, "
-                                "640x480 or 752x480 at 30 frames a second. Only the chessboard gives a scale; in "
-                                "the others the unit is the median depth of the first landmarks.",
-                                searches(output, **of_real, name="_real", figures=False)))
-    return sections
+    return sections + ([of_real(**real)] if real else [])

@@ -142,8 +142,8 @@ def main():
     rawlogs = make_rawlogs([*rendered, *real], args)
     rows = run_batches(args, plan, rendered, real, rawlogs)
     evidence = searches(args, rendered, rows["nodes"], rawlogs)
-    of_real = searches(args, real, rows["real"], rawlogs) if real else None
-    sections = chapters.all_of(args.output, rendered, rows, evidence, of_real)
+    on_real = searches(args, real, rows["real"], rawlogs) if real else None
+    sections = chapters.all_of(args.output, rendered, rows, evidence, on_real)
     document.write(args.output, sections, what_ran(args, rendered, missing, real, rows))
     if args.document:
         write_text(args.document, (args.output / "guerra2013.md").read_text())

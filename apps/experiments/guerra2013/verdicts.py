@@ -28,7 +28,7 @@ LEAST_SEARCHES = 30  # fewer decide nothing
 
 
 def counted(decide):
-    """A verdict of searches is open where there are too few of them."""
+    """A verdict is open where there are too few searches."""
     def careful(problems, **rest):
         verdict = decide(problems=problems, **rest)
         if len(of(problems, PRINTED)) < LEAST_SEARCHES:
@@ -47,6 +47,7 @@ def seldom(problems, runs, **_):
                    "other count, 102.34, is 11.9 %.")
 
 
+@counted
 def late(problems, **_):
     track = of(problems, PRINTED).track
     second = int((track >= 0.5).sum())
@@ -155,6 +156,7 @@ def same_sets(problems, **_):
                    "the number of pairs: JCBB then cuts the branch that holds the answer.")
 
 
+@counted
 def time_of_frame(frames, **_):
     frames = tracked(frames)
     total = {m.name: frames.total_ms[frames.variant == m.name] for m in (PRINTED, UNBOUNDED)}
@@ -171,6 +173,7 @@ def time_of_frame(frames, **_):
                    "JCBB here has no bound, as in the paper.")
 
 
+@counted
 def real_time(frames, **_):
     mine = tracked(frames).total_ms[frames.variant == PRINTED.name]
     shares = {limit: 100 * (mine > limit).mean() for limit in (67, 40, 33)}
@@ -180,6 +183,14 @@ def real_time(frames, **_):
                              for limit, share in shares.items()),
                    "On a processor of today 30 frames a second are no question either."
                    if shares[33] < 0.1 else "")
+
+
+def listed(verdicts):
+    """As Markdown, with a count of the verdicts before."""
+    counts = ", ".join(f"{word}: {sum(v.verdict == word for v in verdicts)}"
+                       for word in (HOLDS, PART, FAILS, OPEN))
+    lines = [f"- **{v.claim}: {v.verdict}.** {v.numbers}. {v.why}".rstrip() for v in verdicts]
+    return f"{counts}.\n\n" + "\n".join(lines)
 
 
 def table(verdicts):
