@@ -23,7 +23,7 @@ install_evo()
         cp "$wanted" "$venv/installed.txt"
 }
 
-apps/install-packages.sh tests
+apps/install-packages.sh tests worlds
 install_evo </dev/null ||
     echo "evo cannot be installed (PyPI out of reach?): compare_with_evo will be skipped" >&2
 apps/mono-slam-report/install.sh </dev/null ||

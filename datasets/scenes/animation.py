@@ -8,10 +8,12 @@ from pathlib import Path
 import cv2
 
 import trajectory as tj
+from sequence import TARGET_LIFT_M
 
 HERE = Path(__file__).resolve().parent
 DEPTH_UNIT_M = 1 / 5000.0  # of a depth PNG, as TUM has it
 POLL_S = 0.05
+RUNNING = set()  # the POV-Ray processes, to be ended if we are
 
 
 class PovrayFailed(RuntimeError):
@@ -21,7 +23,7 @@ class PovrayFailed(RuntimeError):
 def pose_include(sequence, frame):
     pose = sequence.poses[frame]
     R = tj.rotation(pose[4:])
-    value = {"Tx": pose[1], "Ty": pose[2], "Tz": pose[3]}
+    value = {"Tx": pose[1], "Ty": pose[2], "Tz": pose[3] + TARGET_LIFT_M}
     value.update({a + b: R[j, i] for i, a in enumerate("XYZ") for j, b in enumerate("xyz")})
     lines = [f"#declare {k} = {v:.16g};" for k, v in value.items()]
     boxes = sequence.still + sequence.moving(frame)
@@ -29,8 +31,8 @@ def pose_include(sequence, frame):
     return "\n".join(lines + ["#macro Things()"] + skins + [box.scene_line() for box in boxes] + ["#end"]) + "\n"
 
 
-def command(sequence, count, depth, rays, pictures, work):
-    camera, s = sequence.camera, 1 if depth else rays
+def command(sequence, count, depth, pictures, work):
+    camera, s = sequence.camera, 1 if depth else sequence.rays_per_side
     width, height = round(camera.width * s), round(camera.height * s)
     declared = {"Depth": int(depth), "Far": 65535 * DEPTH_UNIT_M, "WideX": camera.width / camera.fx, "WideY": camera.height / camera.fy}
     return ["povray", f"+I{HERE / sequence.scene}", f"+L{HERE}", f"+L{pictures}", f"+L{work}", f"+O{work / 'out'}",
@@ -50,14 +52,15 @@ def read_pgm(path):
     return image if image.ndim == 2 else image[:, :, 0]
 
 
-def animate(sequence, frames, depth, rays, pictures, work):
+def animate(sequence, frames, depth, pictures, work):
     """Yields (frame, 16-bit linear image) for the given frames, as soon as each is done."""
     work.mkdir(parents=True, exist_ok=True)
     for i, frame in enumerate(frames, 1):
         (work / f"pose{i:06d}.inc").write_text(pose_include(sequence, frame))
     log = work / "povray.log"
-    with log.open("w") as sink, subprocess.Popen(command(sequence, len(frames), depth, rays, pictures, work),
+    with log.open("w") as sink, subprocess.Popen(command(sequence, len(frames), depth, pictures, work),
                                                  stdout=sink, stderr=sink) as povray:
+        RUNNING.add(povray)
         try:
             for i, frame in enumerate(frames, 1):
                 path, next_path = rendered(work, len(frames), i), rendered(work, len(frames), i + 1)
@@ -68,4 +71,5 @@ def animate(sequence, frames, depth, rays, pictures, work):
                 yield frame, read_pgm(path)
                 path.unlink()
         finally:
+            RUNNING.discard(povray)
             povray.terminate()

@@ -46,7 +46,7 @@ def sequence(kind, k, path, quick):
                                 [("wires before edges", "crossing_edges"), ("doors" if kind == "corridor" else "screens, keys and folders", "repeated"),
                                  ("checker floor", "repeated")]]
     still = cartons(k) if kind == "corridor" else clutter(k)
-    return Sequence(f"lab_{kind}_{k}", "corridor.pov" if kind == "corridor" else "lab.pov", CAMERA.half() if quick else CAMERA, poses, DEPTH_EVERY,
+    return Sequence(f"lab_{kind}_{k}", "corridor.pov" if kind == "corridor" else "lab.pov", CAMERA.half() if quick else CAMERA, poses, DEPTH_EVERY, 2.5 if quick else 1.5,
                     movers, still, segments, objects)
 
 
@@ -57,7 +57,7 @@ def corridor(frames, end_y, yaw_end_deg, height, seed):
 def sequences(quick):
     """In the order in which they are rendered: the first of each kind, then the second, ..."""
     if quick:
-        return [sequence("uturn", 1, uturn(90, 1.0, 0.64, 5, 20, 1), True), sequence("turn", 1, turn(90, 1.0, 0.64, -90, 120, 1), True)]
+        return [sequence("uturn", 1, uturn(90, 0.9, 0.80, 5, 20, 1), True), sequence("turn", 1, turn(90, 0.9, 0.80, -90, 120, 1), True)]
     out = []
     for i in range(5):
         out += [sequence("uturn", i + 1, uturn(*UTURNS[i], i + 1), False), sequence("turn", i + 1, turn(*TURNS[i], i + 1), False),

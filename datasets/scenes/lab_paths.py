@@ -63,7 +63,8 @@ def uturn(frames, radius, height, start_deg, ahead_deg, seed):
     line = bend[-1] + np.outer(way, [-STRAIGHT_M, 0, 0])
     yaw = np.concatenate([phi + math.pi, np.full(len(way) - 1, 1.5 * math.pi)])
     ahead = math.radians(ahead_deg) * ease((np.arange(frames) - turning) / 60)
-    pitch = -np.arctan2(height + 0.02, radius) + 0.05 * ease((np.arange(frames) - turning) / 60)
+    down = -math.atan2(height + 0.02, radius)
+    pitch = down + (max(down + 0.05, -0.5) - down) * ease((np.arange(frames) - turning) / 60)
     poses = rows(np.vstack([bend, line[1:]]), smoothed(yaw) - ahead, pitch, wobble(frames, seed, 0.008))
     return poses, {"turn": [0, turning], "straight": [turning, frames - 1]}
 

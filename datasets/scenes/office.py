@@ -43,5 +43,5 @@ def sequences(quick):
         objects = [{**o, "to_frame": count - 1} for o in keys]
         if moved:
             objects.append({"name": "carton", "kind": "moved", "from_frame": MOVED_FROM, "to_frame": MOVED_TO})
-        return Sequence(name, "office.pov", camera, poses[:count], 1, lambda frame: carton(frame, moved), objects=objects)
+        return Sequence(name, "office.pov", camera, poses[:count], 1, 2, lambda frame: carton(frame, moved), objects=objects)
     return [made("office", frames, False)] + ([] if quick else [made("office_moved", FRAMES_MOVED, True)])

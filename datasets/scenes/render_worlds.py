@@ -6,11 +6,12 @@ import hashlib
 import json
 import os
 import shutil
+import signal
 import sys
 import tempfile
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import cv2
@@ -22,7 +23,6 @@ import office
 import pictures
 from render import save, srgb
 
-RAYS_PER_SIDE = {"office.pov": 2, "lab.pov": 1.5, "corridor.pov": 1.5}  # of a pixel; their mean is the anti-aliasing
 BLUR_SIGMA_PX = 0.6
 FRAMES_A_PROCESS = 100
 TARGET_SIZE_M = [0.21, 0.1485]
@@ -62,7 +62,7 @@ def tables(sequence, args):
     camera = [f"{k}: {getattr(c, k)}" for k in ("width", "height", "fx", "fy", "cx", "cy")] + [k + ": 0" for k in ("k1", "k2", "p1", "p2", "k3")]
     truth = ["# timestamp tx ty tz qx qy qz qw   (T_world_camera, m; x right, y down, z forward)"]
     truth += [f"{r[0]:.6f} " + " ".join(f"{v:.9f}" for v in r[1:]) for r in rows]
-    how = {"rays_per_side": RAYS_PER_SIDE[sequence.scene], "blur_sigma_px": BLUR_SIGMA_PX, "noise_sigma_grey": args.noise,
+    how = {"rays_per_side": sequence.rays_per_side, "blur_sigma_px": BLUR_SIGMA_PX, "noise_sigma_grey": args.noise,
            "jpeg_step": args.jpeg_step, "depth_every": sequence.depth_every, "scene": hashlib.sha256("\n".join(scene_lines(sequence.scene)).encode()).hexdigest()[:16]}
     marks = {"target": {"rectangle_size_m": TARGET_SIZE_M}, "segments": sequence.segments, "objects": sequence.objects}
     return {"camera.yaml": "\n".join(camera) + "\n", "groundtruth.txt": "\n".join(truth) + "\n",
@@ -100,7 +100,7 @@ def chunks(sequence, folder, what):
 def sensed(linear, sequence, frame, noise_sigma_grey):
     """The frame after the lens (blur, mean over the pixel) and a still sensor's noise, 8-bit sRGB."""
     size = sequence.camera.width, sequence.camera.height
-    fine = cv2.GaussianBlur(linear.astype(np.float32) / 65535, (0, 0), BLUR_SIGMA_PX * RAYS_PER_SIDE[sequence.scene])
+    fine = cv2.GaussianBlur(linear.astype(np.float32) / 65535, (0, 0), BLUR_SIGMA_PX * sequence.rays_per_side)
     rng = np.random.default_rng([sum(map(ord, sequence.name)), frame])
     noisy = srgb(cv2.resize(fine, size, interpolation=cv2.INTER_AREA)) + rng.normal(0, noise_sigma_grey, size[::-1])
     return np.clip(np.rint(noisy), 0, 255).astype(np.uint8)
@@ -109,7 +109,7 @@ def sensed(linear, sequence, frame, noise_sigma_grey):
 def render_chunk(task, args, work, progress):
     sequence, folder, depth, frames = task
     with tempfile.TemporaryDirectory(dir=work) as own:
-        for frame, image in animation.animate(sequence, frames, depth, RAYS_PER_SIDE[sequence.scene], work / sequence.scene, Path(own)):
+        for frame, image in animation.animate(sequence, frames, depth, work / sequence.scene, Path(own)):
             if depth:
                 save(str(depth_file(folder, frame)), image)
             else:
@@ -143,6 +143,7 @@ def arguments():
 
 def main():
     args = arguments()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     cv2.setNumThreads(1)
     tasks = []
     for sequence in chosen(args):
@@ -154,12 +155,15 @@ def main():
     try:
         for scene in {t[0].scene for t in tasks}:
             pictures.draw(work / scene, scene)
-        for done in [pool.submit(render_chunk, t, args, work, progress) for t in tasks]:
+        for done in as_completed([pool.submit(render_chunk, t, args, work, progress) for t in tasks]):
             done.result()
     except animation.PovrayFailed as failure:
         sys.exit(f"povray failed: {failure}")
     finally:
-        pool.shutdown(cancel_futures=True)
+        pool.shutdown(wait=False, cancel_futures=True)
+        for povray in list(animation.RUNNING):
+            povray.terminate()
+        pool.shutdown()
         shutil.rmtree(work, ignore_errors=True)
     print(f"{progress.done} pictures rendered, {(time.monotonic() - progress.start) / 60:.1f} min")
 

@@ -9,6 +9,8 @@ import numpy as np
 
 import trajectory as tj
 
+TARGET_LIFT_M = 0.001  # scenes have their table tops at z = 0 and the target this much above; the world's origin is on the target
+
 
 @dataclass(frozen=True)
 class Camera:
@@ -55,6 +57,7 @@ class Sequence:
     camera: Camera
     poses: np.ndarray  # rows t tx ty tz qx qy qz qw, rounded as they are written
     depth_every: int
+    rays_per_side: float  # of a pixel; their mean is the anti-aliasing
     moving: Callable = lambda frame: []  # the boxes that move, as they stand in a frame
     still: list = field(default_factory=list)  # boxes of this sequence that never move
     segments: dict = field(default_factory=dict)  # name -> [first frame, last frame]
@@ -77,7 +80,9 @@ def quaternion(R):
 
 
 def pose_rows(rate_hz, centres, rotations):
-    rows = np.array([[(i + 1) / rate_hz, *c, *quaternion(R)] for i, (c, R) in enumerate(zip(centres, rotations))])
+    """Poses in the world, from positions in the scene; rounded as they are written, before anything is rendered."""
+    lift = [0, 0, TARGET_LIFT_M]
+    rows = np.array([[(i + 1) / rate_hz, *(c - lift), *quaternion(R)] for i, (c, R) in enumerate(zip(centres, rotations))])
     return np.array([[float(f"{v:.9f}") for v in row] for row in rows])
 
 

@@ -6,9 +6,9 @@ import sys
 from pathlib import Path
 
 RESULTS = Path(sys.argv[1])
-TABLES = """claims table1 table2 table2_work table3 table4 table5 table5_parts pairs along_track by_sequence equations growth exponents
-    causes initialization initialization_tests figure5_guerra2013 figure5_default tracking_guerra2013
-    tracking_default""".split()
+TABLES = """claims table1 table2 table2_work table3 table4 table5 table5_parts pairs along_track by_sequence
+    equations growth exponents causes initialization initialization_tests figure5_guerra2013 figure5_default
+    tracking_guerra2013 tracking_default""".split()
 FIGURES = "figure5 figure5_defaults nodes sizes places times gaps initialization".split()
 failures = []
 

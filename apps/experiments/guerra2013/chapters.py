@@ -6,6 +6,7 @@ import cost
 import initialization
 import node_figures
 import node_tables
+import node_verdicts
 import pair_figures
 import paper
 import path_verdicts
@@ -77,9 +78,10 @@ def of_paths(output, rendered, rows, measured):
                                   (trajectories.tracking, (rows[name],)))]
     sections.append(Section(
         "Straight, turn, closing gap", "Estimates with HOHCT and without validation. Length: between "
-        "the ends of the marked straight. Opening: change of heading over the marked turn. Gap: from the end as "
-        "estimated to the true end, both seen from the first pose, by which a run is aligned. Pairs of the same seed, two-sided sign test. A run "
-        "that has no pose where one is needed counts as worse than any other.", tables, "gaps"))
+        "the ends of the marked straight. Opening: change of heading over the marked turn. Gap: from the "
+        "end as estimated to the true end, both seen from the first pose, by which a run is aligned. Pairs "
+        "of the same seed, two-sided sign test. A run that has no pose where one is needed counts as worse "
+        "than any other.", tables, "gaps"))
     return sections
 
 
@@ -107,7 +109,7 @@ def of_initialization(output, rows):
 def all_of(output, rendered, rows, evidence, real):
     """rows: of each batch; real: evidence of the real sequences. Writes the figures."""
     judged = causes.of_rejected(evidence["problems"], rendered)
-    found = [decide(**evidence) for decide in verdicts.OF_NODES]
+    found = [decide(**evidence) for decide in node_verdicts.ALL]
     turning = "validation" in rows
     if turning:
         measured = {name: trajectories.measure(output, rendered, rows[name])

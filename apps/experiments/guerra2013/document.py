@@ -16,9 +16,9 @@ incremental evaluation and without a bound. Beside it stand our HOHCT (branch an
 textbook bound, and MRPT's. A *search* is a frame whose full set of pairs is not jointly compatible, as in
 the paper's Table 1. The problems of all searches are written to files by the run with the printed HOHCT, and
 every method solves the same files. Limits are chi2(2 pairs, 0.95); the paper's text has one degree of freedom
-a pair, with which right sets would fail in most frames. Configuration: `config/guerra2013.ini`, where
-nothing else is said; its 25 features give about as many pairs in a search as the paper has. Times are CPU times of one thread. n is the number of pairs of a search,
-r of those that HOHCT rejects."""
+a pair, with which right sets would fail in most frames. Configuration: `config/guerra2013.ini`, where nothing
+else is said; its 25 features give about as many pairs in a search as the paper has. Times are CPU times of one
+thread. n is the number of pairs of a search, r of those that HOHCT rejects."""
 
 
 @dataclass
