@@ -75,11 +75,11 @@ def count(seeds):
     return int(last or first) - int(first) + 1
 
 
-# Milliseconds a frame, with decoding and writing, and seconds a run beside its frames: what a run of
-# 424x240 took on one core of the machine that this was written on. For the estimate only.
-FRAME_MS = {12: 2.5, 25: 4.0, 50: 9.0}
+# Milliseconds a frame, with decoding and writing, and seconds a run beside its frames: CPU time of runs of
+# 424x240 on the machine that this was written on. For the estimate only.
+FRAME_MS = {12: 2.0, 25: 3.0, 50: 6.5}
 DEFAULT_MS = 8.0
-UNBOUNDED_S = 15  # a run more, for the searches of JCBB without its bound
+UNBOUNDED_S = 6  # a run of 600 frames more, for the searches of JCBB without its bound
 RUN_S = 0.3
 
 
@@ -92,7 +92,7 @@ def estimate_s(plan, sequences, jobs):
     in_turns = sum(s.frames for s in turning)
     total = count(plan.node_seeds) * (
         runs(FRAME_MS[25], frames, len(sequences), len(WHOLE_RUNS) + 1) +
-        len(sequences) * 2 * UNBOUNDED_S * frames / len(sequences) / 600)
+        2 * UNBOUNDED_S * frames / 600)  # in the run and on its problems
     total += count(plan.validation_seeds) * runs(FRAME_MS[25], in_turns, len(turning), 2)
     total += count(plan.default_seeds) * runs(DEFAULT_MS, in_turns, len(turning), 2)
     for features in FEATURES:
