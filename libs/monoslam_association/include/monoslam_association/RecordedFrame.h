@@ -61,8 +61,8 @@ struct MONOSLAM_ASSOCIATION_EXPORT RecordedFrame
                                                                     const FrameView& view);
 
 /** Lets a strategy solve the frame once, and records what the image answered. In a strategy's own,
- *  smaller ellipses an image may show other peaks, at their borders: without these the strategy would
- *  find in the record what it does not find in the image.
+ *  smaller ellipses an image may show other peaks, at their borders, and a coarse search may miss one:
+ *  the record has the same there, or the strategy would find in it what it did not find in the image.
  *  \param rng  as the strategy will use it */
 [[nodiscard]] MONOSLAM_ASSOCIATION_EXPORT RecordedFrame withAnswers(RecordedFrame frame,
                                                                     const FrameView& view,
