@@ -42,8 +42,8 @@ void check(const Arguments& a)
 {
     if (a.synthetic == !a.files.empty())
         throw std::invalid_argument("either FILE... or --synthetic; see --help");
-    if (!a.synthetic && !(a.csv.empty() && a.output.empty()))
-        throw std::invalid_argument("--csv and --output are of --synthetic");
+    if (!a.synthetic && !a.output.empty())
+        throw std::invalid_argument("--output is of --synthetic");
     if (a.grid.problems < 1) throw std::invalid_argument("--problems: must be at least 1");
     if (a.workers < 1) throw std::invalid_argument("--workers: must be at least 1");
 }
@@ -69,7 +69,8 @@ Arguments parseArguments(int argc, char** argv)
     TCLAP::ValueArg<int> problems("", "problems", "In each cell", false, 100, "N", cmd);
     TCLAP::ValueArg<int> workers("", "workers", "Threads, a cell each", false, 2, "N", cmd);
     TCLAP::ValueArg<unsigned> seed("", "seed", "Of all random numbers", false, 1, "N", cmd);
-    Text csv("", "csv", "Write the figures of every cell", false, "", "FILE", cmd);
+    Text csv("", "csv", "Write the figures of every cell, or of every FILE", false, "", "FILE",
+             cmd);
     Text output("", "output", "Write the tables as Markdown", false, "", "FILE", cmd);
     TCLAP::SwitchArg force("", "force", "Replace the files of an earlier run", cmd);
     cmd.parse(argc, argv);

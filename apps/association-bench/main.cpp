@@ -30,6 +30,13 @@ void benchSynthetic(const Arguments& arguments, const Strategies& strategies)
     if (!arguments.output.empty()) OutputFile(arguments.output).write(tables);
 }
 
+void benchFiles(const Arguments& arguments, const Strategies& strategies)
+{
+    checkFree(arguments.csv, arguments.force);
+    const std::string csv = solveFiles(arguments, strategies);
+    if (!arguments.csv.empty()) OutputFile(arguments.csv).write(csv);
+}
+
 int run(const Arguments& arguments)
 {
     registerMrptAssociators();
@@ -37,7 +44,7 @@ int run(const Arguments& arguments)
     if (arguments.synthetic)
         benchSynthetic(arguments, strategies);
     else
-        solveFiles(arguments, strategies);
+        benchFiles(arguments, strategies);
     return 0;
 }
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "monoslam_association/recordedFrameFile.h"
 #include "monoslam_eval/solveProblem.h"
+#include "problemCsv.h"
 #include "ratio.h"
 
 namespace monoslam
@@ -26,33 +27,45 @@ void printLine(const std::string& name, const Solution& s)
                 c.capped > 0 ? "yes" : "-");
 }
 
-void solveFile(const std::string& file, const std::vector<NamedAssociator>& strategies,
-               unsigned seed)
+void printHead(const std::string& file, const RecordedFrame& frame)
 {
-    const RecordedFrame frame = readRecordedFrame(file);
     std::printf("\n%s: frame %ld, %zu landmarks, %zu beliefs\n\n", file.c_str(), frame.index,
                 frame.landmarks.size(), frame.mixture.size());
     std::puts(
         "| strategy | pairs | rejected | precision | recall | D2 | nodes | D2 evaluations | "
         "associate [ms] | total [ms] | not proved | capped |\n"
         "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
-    for (const auto& [name, associator] : strategies)
+}
+
+Solution solve(const NamedAssociator& strategy, const std::string& file, const RecordedFrame& frame,
+               unsigned seed)
+{
+    try
     {
-        try
-        {
-            printLine(name, solveProblem(*associator, frame, seed));
-        }
-        catch (const std::exception& error)
-        {
-            throw std::runtime_error(file + ": " + name + ": " + error.what());
-        }
+        return solveProblem(*strategy.associator, frame, seed);
+    }
+    catch (const std::exception& error)
+    {
+        throw std::runtime_error(file + ": " + strategy.name + ": " + error.what());
     }
 }
 }  // namespace
 
-void solveFiles(const Arguments& arguments, const Strategies& strategies)
+std::string solveFiles(const Arguments& arguments, const Strategies& strategies)
 {
     const std::vector<NamedAssociator> made = strategies.make();
-    for (const std::string& file : arguments.files) solveFile(file, made, arguments.seed);
+    std::string csv = problemHead();
+    for (const std::string& file : arguments.files)
+    {
+        const RecordedFrame frame = readRecordedFrame(file);
+        if (arguments.csv.empty()) printHead(file, frame);
+        for (const NamedAssociator& strategy : made)
+        {
+            const Solution solution = solve(strategy, file, frame, arguments.seed);
+            if (arguments.csv.empty()) printLine(strategy.name, solution);
+            csv += problemLine(file, frame.index, strategy.name, solution);
+        }
+    }
+    return csv;
 }
 }  // namespace monoslam

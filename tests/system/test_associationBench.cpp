@@ -95,6 +95,28 @@ TEST(AssociationBench, SolvesADumpedFrameAsThePipelineDidAndWithEveryStrategy)
     EXPECT_EQ(lineOf(result.output, "mhda")[4], "-");  // no truth
 }
 
+TEST(AssociationBench, WritesTheFiguresOfEveryFile)
+{
+    const TemporaryFolder folder;
+    run(kDumped + quoted(folder / "dump") + " --dump-frames 20,30", folder / "out");
+    const std::string csv = folder / "problems.csv";
+    const auto result = bench("--config " + kDesk + " --strategies hohct,none --csv " +
+                              quoted(csv) + " " + quoted(folder / "dump/association_000020.json") +
+                              " " + quoted(folder / "dump/association_000030.json"));
+    ASSERT_EQ(result.status, 0) << result.output;
+    EXPECT_EQ(result.output, "");
+    const std::string text = readText(csv);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 2 * 2);
+    for (const int frame : {20, 30})
+    {
+        const std::string line = "," + std::to_string(frame) + ",hohct," +
+                                 valueOf(folder / "out/frames.csv", "pairs", frame) + "," +
+                                 valueOf(folder / "out/frames.csv", "matched", frame) + "," +
+                                 valueOf(folder / "out/frames.csv", "rejected", frame) + ",";
+        EXPECT_NE(text.find(line), std::string::npos) << line << " not in: " << text;
+    }
+}
+
 /** All strategies but MRPT's, which a clock ends. */
 TEST(AssociationBench, GivesTheSameFiguresForAnyNumberOfWorkers)
 {
@@ -132,7 +154,7 @@ TEST_F(BadBench, SaysWhatIsWrongWithTheCommandLine)
 {
     expectError(bench(""), {"FILE", "--synthetic"});
     expectError(bench("--synthetic x.json"), {"FILE", "--synthetic"});
-    expectError(bench("x.json --csv y.csv"), {"--csv"});
+    expectError(bench("x.json --output y.md"), {"--output"});
     expectError(bench("--synthetic --landmarks 6,twelve"), {"--landmarks", "twelve"});
     expectError(bench("--synthetic --candidates 0"), {"--candidates", "1"});
     expectError(bench("--synthetic --landmarks 6 --absent 4"), {"--absent"});

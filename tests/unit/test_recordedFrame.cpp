@@ -31,6 +31,54 @@ TEST(RecordedFrame, FindsWhatTheFrameItselfFinds)
     }
 }
 
+/** As an image does whose peak lies outside: its flank is the best there is in a smaller ellipse. */
+TEST(RecordedFrame, KnowsWhatOnlyTheStrategysOwnEllipsesShowed)
+{
+    const PerspectiveFrame seen({12, 8, false, 0.5, 0.2, 3, true}, 4);
+    FrameView image = seen.view();
+    image.search = [search = image.search](const SearchRegion& region)
+    {
+        SearchResult found = search(region);
+        if (region.gate > 10.0 || found.candidates.empty()) return found;
+        found.candidates.front().z.x() += 0.5;
+        found.candidates.front().score = 0.995;
+        return found;
+    };
+    const mrpt::config::CConfigFileMemory ini("[association]\nfirst_stage_landmarks = 0\n");
+    const auto associator = makeAssociator("hohct", ini);
+    const RecordedFrame wide = recordFrame(record(seen), image);
+    const RecordedFrame frame = withAnswers(wide, image, *associator, std::mt19937(1));
+    std::mt19937 rng(1);
+    const Belief own = best(associator->correct(frame.mixture, image, rng).mixture);
+    EXPECT_NE(own.x, best(associator->correct(frame.mixture, wide.view(), rng).mixture).x);
+    EXPECT_EQ(own.x, best(associator->correct(frame.mixture, frame.view(), rng).mixture).x);
+}
+
+/** As a coarse search does that begins at other pixels in a smaller ellipse. */
+TEST(RecordedFrame, LacksWhatTheStrategysOwnSearchMissed)
+{
+    const PerspectiveFrame seen({12, 8, false, 0.5, 0.2, 3, true}, 4);
+    FrameView image = seen.view();
+    image.search = [search = image.search](SearchRegion region)
+    {
+        const std::size_t most = static_cast<std::size_t>(region.maxCandidates);
+        region.maxCandidates = 50;
+        SearchResult found = search(region);
+        if (region.gate <= 10.0 && found.candidates.size() > 1)
+            found.candidates.erase(found.candidates.begin());
+        if (found.candidates.size() > most) found.candidates.resize(most);
+        return found;
+    };
+    const mrpt::config::CConfigFileMemory ini("[association]\nfirst_stage_landmarks = 0\n");
+    const auto associator = makeAssociator("hohct", ini);
+    const RecordedFrame wide = recordFrame(record(seen), image);
+    const RecordedFrame frame = withAnswers(wide, image, *associator, std::mt19937(1));
+    std::mt19937 rng(1);
+    const Belief own = best(associator->correct(frame.mixture, image, rng).mixture);
+    EXPECT_NE(own.x, best(associator->correct(frame.mixture, wide.view(), rng).mixture).x);
+    EXPECT_EQ(own.x, best(associator->correct(frame.mixture, frame.view(), rng).mixture).x);
+}
+
 TEST(RecordedFrame, GivesTheBestCandidatesOfARegionInOrder)
 {
     RecordedFrame frame = exampleFrame();

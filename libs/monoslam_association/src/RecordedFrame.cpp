@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
+#include <mutex>
+#include <utility>
 
 #include "bestCandidates.h"
 
@@ -13,8 +14,11 @@ namespace monoslam
 {
 namespace
 {
-/** Of a number's size: another compiler's rounding passes, another belief or camera does not. */
-constexpr double kTolerance = 1e-6;
+bool isInside(const SearchRegion& region, const Candidate& candidate)
+{
+    const Eigen::Vector2d nu = candidate.z - region.centre;
+    return nu.dot(region.S.inverse() * nu) < region.gate;
+}
 
 SearchResult searchRecorded(const RecordedLandmark& landmark, const SearchRegion& region,
                             double minScore)
@@ -24,12 +28,10 @@ SearchResult searchRecorded(const RecordedLandmark& landmark, const SearchRegion
     if (landmark.status != SearchStatus::Done) return result;
     const double area_px2 = std::acos(-1.0) * region.gate * std::sqrt(region.S.determinant());
     result.pixels = std::lround(area_px2);
-    const Eigen::Matrix2d precision = region.S.inverse();
     for (const Candidate& candidate : landmark.candidates)
     {
-        const Eigen::Vector2d nu = candidate.z - region.centre;
         if (static_cast<int>(result.candidates.size()) >= region.maxCandidates) break;
-        if (candidate.score < minScore || !(nu.dot(precision * nu) < region.gate)) continue;
+        if (candidate.score < minScore || !isInside(region, candidate)) continue;
         result.candidates.push_back(candidate);
     }
     return result;
@@ -39,6 +41,32 @@ bool known(const std::vector<Candidate>& candidates, const Candidate& candidate)
 {
     return std::any_of(candidates.begin(), candidates.end(),
                        [&](const Candidate& other) { return other.z == candidate.z; });
+}
+
+/** Adds what is new of a search's answer. */
+void add(RecordedLandmark& landmark, const SearchResult& found, const RecordLimits& limits)
+{
+    if (found.status == SearchStatus::Done) landmark.status = SearchStatus::Done;
+    for (const Candidate& candidate : found.candidates)
+        if (!known(landmark.candidates, candidate)) landmark.candidates.push_back(candidate);
+    landmark.candidates = bestCandidates(std::move(landmark.candidates), limits.maxCandidates);
+}
+
+/** Removes what would be preferred to a region's answer and is not in it. */
+void removeUnseen(RecordedLandmark& landmark, const SearchRegion& region,
+                  const SearchResult& answer, double minScore)
+{
+    if (answer.status != SearchStatus::Done) return;
+    const bool full = static_cast<int>(answer.candidates.size()) >= region.maxCandidates;
+    const double least = full ? answer.candidates.back().score : region.minScore.value_or(minScore);
+    const auto unseen = [&](const Candidate& candidate)
+    {
+        return candidate.score >= least && isInside(region, candidate) &&
+               !known(answer.candidates, candidate);
+    };
+    auto& candidates = landmark.candidates;
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), unseen),
+                     candidates.end());
 }
 
 /** Searches one landmark for one belief and adds what is new. */
@@ -53,21 +81,7 @@ void add(RecordedLandmark& landmark, const PredictedLandmark& row, const RecordL
     region.gate = limits.gate;
     region.maxCandidates = limits.maxCandidates;
     region.minScore = limits.minScore;
-    SearchResult found = view.search(region);
-    if (found.status == SearchStatus::Done) landmark.status = SearchStatus::Done;
-    for (Candidate& candidate : found.candidates)
-        if (!known(landmark.candidates, candidate)) landmark.candidates.push_back(candidate);
-    landmark.candidates = bestCandidates(std::move(landmark.candidates), limits.maxCandidates);
-}
-
-void compare(LandmarkId id, const char* quantity, const Eigen::MatrixXd& recorded,
-             const Eigen::MatrixXd& predicted)
-{
-    const double difference = (recorded - predicted).cwiseAbs().maxCoeff();
-    if (difference <= kTolerance * (1.0 + predicted.cwiseAbs().maxCoeff())) return;
-    throw std::invalid_argument("landmark " + std::to_string(id) + ": " + quantity +
-                                " is not what belief and camera predict: it differs by " +
-                                std::to_string(difference));
+    add(landmark, view.search(region), limits);
 }
 }  // namespace
 
@@ -94,41 +108,6 @@ FrameView RecordedFrame::view() const
     return view;
 }
 
-void RecordedFrame::check() const
-{
-    for (const WeightedBelief& weighted : mixture)
-    {
-        try
-        {
-            weighted.belief.checkInvariant();
-        }
-        catch (const std::logic_error& error)
-        {
-            throw std::invalid_argument(error.what());
-        }
-    }
-    if (mixture.empty()) throw std::invalid_argument("no belief");
-    std::map<LandmarkId, PredictedLandmark> byId;
-    for (PredictedLandmark& row : predictMeasurements(best(mixture), camera, visibility).rows)
-        byId[row.id] = row;
-    for (const RecordedLandmark& landmark : landmarks)
-    {
-        const auto row = byId.find(landmark.id);
-        if (landmark.predicted.has_value() != (row != byId.end()))
-            throw std::invalid_argument(
-                "landmark " + std::to_string(landmark.id) +
-                (row == byId.end() ? ": is recorded as visible and is not, by belief and camera"
-                                   : ": is recorded as not visible and is, by belief and camera"));
-        if (!landmark.predicted) continue;
-        const PredictedLandmark& there = *landmark.predicted;
-        compare(landmark.id, "h", there.h, row->second.h);
-        compare(landmark.id, "H_v", there.H_v, row->second.H_v);
-        compare(landmark.id, "H_y", there.H_y.leftCols(there.size),
-                row->second.H_y.leftCols(row->second.size));
-        compare(landmark.id, "S", there.S, row->second.S);
-    }
-}
-
 RecordedFrame recordFrame(RecordedFrame frame, const FrameView& view)
 {
     frame.landmarks.clear();
@@ -144,6 +123,31 @@ RecordedFrame recordFrame(RecordedFrame frame, const FrameView& view)
             if (i == heaviest) at->second.predicted = row;
         }
     for (auto& [id, landmark] : byId) frame.landmarks.push_back(std::move(landmark));
+    return frame;
+}
+
+RecordedFrame withAnswers(RecordedFrame frame, const FrameView& view, const Associator& strategy,
+                          std::mt19937 rng)
+{
+    std::vector<std::pair<SearchRegion, SearchResult>> answers;
+    std::mutex mutex;
+    FrameView listening = view;
+    listening.search = [&](const SearchRegion& region)
+    {
+        SearchResult answer = view.search(region);
+        const std::lock_guard<std::mutex> lock(mutex);
+        answers.emplace_back(region, answer);
+        return answer;
+    };
+    static_cast<void>(strategy.correct(frame.mixture, listening, rng));
+
+    std::map<LandmarkId, RecordedLandmark*> byId;
+    for (RecordedLandmark& landmark : frame.landmarks) byId[landmark.id] = &landmark;
+    for (const auto& [region, answer] : answers)
+        if (byId.count(region.id) > 0)
+            removeUnseen(*byId[region.id], region, answer, frame.minScore);
+    for (const auto& [region, answer] : answers)  // what another region removed comes back
+        if (byId.count(region.id) > 0) add(*byId[region.id], answer, frame.limits);
     return frame;
 }
 }  // namespace monoslam

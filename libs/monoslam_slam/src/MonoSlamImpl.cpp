@@ -82,7 +82,8 @@ RecordedFrame MonoSlam::Impl::recordProblem(long index, LandmarkFinder& finder) 
     frame.camera = camera;
     frame.visibility = visibility();
     frame.minScore = options.search.min_zncc;
-    return recordFrame(std::move(frame), viewOf(finder));
+    const FrameView view = viewOf(finder);
+    return withAnswers(recordFrame(std::move(frame), view), view, *associator, rng);
 }
 
 /** Search, association and update from the predicted beliefs. */

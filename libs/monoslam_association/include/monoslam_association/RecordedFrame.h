@@ -59,4 +59,13 @@ struct MONOSLAM_ASSOCIATION_EXPORT RecordedFrame
  *  camera, visibility and minScore of \p frame are those of \p view and stay; the rest is filled. */
 [[nodiscard]] MONOSLAM_ASSOCIATION_EXPORT RecordedFrame recordFrame(RecordedFrame frame,
                                                                     const FrameView& view);
+
+/** Lets a strategy solve the frame once, and records what the image answered. In a strategy's own,
+ *  smaller ellipses an image may show other peaks, at their borders, and a coarse search may miss one:
+ *  the record has the same there, or the strategy would find in it what it did not find in the image.
+ *  \param rng  as the strategy will use it */
+[[nodiscard]] MONOSLAM_ASSOCIATION_EXPORT RecordedFrame withAnswers(RecordedFrame frame,
+                                                                    const FrameView& view,
+                                                                    const Associator& strategy,
+                                                                    std::mt19937 rng);
 }  // namespace monoslam
