@@ -28,7 +28,12 @@ Job jobOf(const Batch& batch, const Sequence& sequence, const std::string& strat
         for (const std::string& setting : *settings)
             job.slam.insert(job.slam.end(), {"--set", setting});
     if (sequence.outAndBack) job.evaluate = {"--out-and-back"};
-    if (!sequence.truth.empty()) job.evaluate = {"--groundtruth", sequence.truth};
+    if (!sequence.truth.empty())
+        job.evaluate = {"--groundtruth", sequence.truth, "--per-frame", sequence.alignment};
+    if (!sequence.depth.empty())
+        job.evaluate.insert(job.evaluate.end(), {"--depth", sequence.depth});
+    if (!sequence.camera.empty())
+        job.evaluate.insert(job.evaluate.end(), {"--camera", sequence.camera});
     return job;
 }
 

@@ -43,17 +43,54 @@ void replaceAll(std::string& text, const std::string& what, const std::string& b
         text.replace(at, what.size(), by);
 }
 
-/** The file that a key names, with {folder} and {stem} of the rawlog put in. */
-std::string fileOf(ConfigSection& section, const std::string& key, const fs::path& rawlog,
+/** The path that a key names, with {folder} and {stem} of the rawlog put in. */
+std::string pathOf(ConfigSection& section, const std::string& key, const fs::path& rawlog,
                    const std::string& folder)
 {
     std::string name = section.get(key, "");
     if (name.empty()) return name;
     replaceAll(name, "{folder}", rawlog.parent_path().string());
     replaceAll(name, "{stem}", rawlog.stem().string());
-    const std::string file = (fs::path(folder) / name).lexically_normal().string();
-    if (!fs::is_regular_file(file)) section.fail(key, file + ": no such file");
+    return (fs::path(folder) / name).lexically_normal().string();
+}
+
+std::string fileOf(ConfigSection& section, const std::string& key, const fs::path& rawlog,
+                   const std::string& folder)
+{
+    std::string file = pathOf(section, key, rawlog, folder);
+    if (!file.empty() && !fs::is_regular_file(file)) section.fail(key, file + ": no such file");
     return file;
+}
+
+/** How the runs are judged. */
+void readEvaluation(ConfigSection& section, const std::string& folder, Sequence& s)
+{
+    s.truth = fileOf(section, "truth", s.rawlog, folder);
+    s.depth = pathOf(section, "depth", s.rawlog, folder);
+    s.camera = fileOf(section, "camera", s.rawlog, folder);
+    s.alignment = section.get("alignment", "SE3");
+    if (s.alignment != "none" && s.alignment != "SE3" && s.alignment != "Sim3")
+        section.fail("alignment", "unknown: " + s.alignment + "; known: none SE3 Sim3");
+    if (!s.depth.empty() && !fs::is_directory(s.depth))
+        section.fail("depth", s.depth + ": no such folder");
+    if (s.outAndBack && !s.truth.empty())
+        section.fail("truth", "not with out_and_back, which is evaluated without");
+    if (s.truth.empty() && !s.depth.empty()) section.fail("depth", "needs truth");
+    if (s.depth.empty() && !s.camera.empty()) section.fail("camera", "needs depth");
+}
+
+/** A folder's name, and the names and sizes of its files, stand for their content. */
+std::string listingOf(const std::string& folder)
+{
+    std::vector<std::string> lines;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file())
+            lines.push_back(entry.path().filename().string() + " " +
+                            std::to_string(entry.file_size()));
+    std::sort(lines.begin(), lines.end());
+    std::string text = "depth\n";
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
 }
 
 std::string contentOf(const std::string& file)
@@ -71,7 +108,9 @@ std::string fingerprintOf(const Sequence& sequence, const std::string& folder)
     return fs::path(sequence.rawlog).lexically_relative(folder).string() + "\n" +
            std::to_string(fs::file_size(sequence.rawlog)) + " " + std::to_string(changed) + "\n" +
            contentOf(sequence.config) + (sequence.truth.empty() ? "" : contentOf(sequence.truth)) +
-           (sequence.outAndBack ? "out and back\n" : "");
+           (sequence.outAndBack ? "out and back\n" : "") +
+           (sequence.depth.empty() ? "" : listingOf(sequence.depth)) +
+           (sequence.camera.empty() ? "" : contentOf(sequence.camera)) + sequence.alignment + "\n";
 }
 }  // namespace
 
@@ -97,10 +136,8 @@ std::vector<Sequence> readSequences(ConfigSection section, const std::string& fo
         if (!fs::is_regular_file(file)) section.fail("rawlog", file + ": no such file");
         s.rawlog = file;
         s.config = fileOf(section, "config", file, folder);
-        s.truth = fileOf(section, "truth", file, folder);
+        readEvaluation(section, folder, s);
         if (s.config.empty()) section.fail("config", "not given, but needed");
-        if (s.outAndBack && !s.truth.empty())
-            section.fail("truth", "not with out_and_back, which is evaluated without");
         s.fingerprint = fingerprintOf(s, folder);
     }
     section.rejectUnknownKeys();

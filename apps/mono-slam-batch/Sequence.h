@@ -15,7 +15,10 @@ struct Sequence
     std::string section;  ///< where it comes from, for messages
     std::string rawlog;
     std::string config;
-    std::string truth;  ///< empty: none
+    std::string truth;      ///< empty: none
+    std::string depth;      ///< folder of depth pictures for landmark errors; empty: none
+    std::string camera;     ///< of these; empty: as mono-slam-eval finds it
+    std::string alignment;  ///< of the errors per frame
     bool outAndBack = false;
     std::vector<std::string> settings;  ///< "section.key=value"
     std::string fingerprint;            ///< differs as soon as the content of a file does

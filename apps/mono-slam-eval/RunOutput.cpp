@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RunOutput.h"
 
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <stdexcept>
+
+#include "CsvFile.h"
 
 namespace monoslam
 {
@@ -12,44 +12,18 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** Cells of a CSV line; a quoted one may hold commas. */
-std::vector<std::string> split(const std::string& line)
-{
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (const char c : line)
-    {
-        if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            cells.emplace_back();
-        else if (c != '\r')
-            cells.back() += c;
-    }
-    return cells;
-}
-
-std::size_t columnOf(const std::vector<std::string>& header, const std::string& name)
-{
-    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
-}
-
 FrameLog readFrameLog(const std::string& fileName)
 {
-    std::ifstream file(fileName);
-    std::string line;
-    if (!std::getline(file, line)) throw std::invalid_argument(fileName + ": cannot be read");
-    const std::vector<std::string> header = split(line);
-    const std::size_t state = columnOf(header, "state");
-    const std::size_t total_ms = columnOf(header, "total_ms");
+    CsvFile file(fileName);
     FrameLog log;
-    while (std::getline(file, line))
+    while (file.next())
     {
-        const std::vector<std::string> cells = split(line);
         ++log.frames;
-        if (state < cells.size() && cells[state] == "lost") ++log.lost;
-        if (state < cells.size() && cells[state] == "degraded") ++log.degraded;
-        if (total_ms < cells.size()) log.total_ms.push_back(std::stod(cells[total_ms]));
+        const std::string state = file.text("state");
+        if (state == "lost") ++log.lost;
+        if (state == "degraded") ++log.degraded;
+        log.total_ms.push_back(file.number("total_ms"));
+        log.t_s[std::lround(file.number("index"))] = file.number("t_s");
     }
     return log;
 }
@@ -72,6 +46,23 @@ RunOutput readRun(const std::string& path)
     if (fs::exists(covariances)) run.covariances = readCovariances(covariances.string());
     const fs::path frames = folder / "frames.csv";
     if (fs::exists(frames)) run.log = readFrameLog(frames.string());
+    run.folder = path;
     return run;
+}
+
+std::vector<MapRow> readMap(const std::string& folder)
+{
+    CsvFile file(folder + "/map.csv");
+    std::vector<MapRow> rows;
+    while (file.next())
+    {
+        MapRow& row = rows.emplace_back();
+        row.bornFrame = std::lround(file.number("born_frame"));
+        row.born_px = {file.number("born_u_px"), file.number("born_v_px")};
+        row.known = file.text("known") == "1";
+        if (!file.text("x_m").empty())
+            row.p.emplace(file.number("x_m"), file.number("y_m"), file.number("z_m"));
+    }
+    return rows;
 }
 }  // namespace monoslam

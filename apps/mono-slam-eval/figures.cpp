@@ -40,7 +40,10 @@ void addErrors(std::vector<Figure>& rows, const std::string& name, const Traject
 void addNees(std::vector<Figure>& rows, const std::string& name, const std::vector<PosePair>& pairs,
              const RunOutput& run, const Similarity& alignment)
 {
-    const Statistics s = statistics(trajectoryNees(pairs, run.covariances, alignment));
+    std::vector<double> values;
+    for (const auto& value : trajectoryNees(pairs, run.covariances, alignment))
+        if (value) values.push_back(*value);
+    const Statistics s = statistics(values);
     const std::string label = name == "none" ? "unaligned" : "first pose";
     rows.push_back({name + "_nees_mean", label + " NEES mean (6)", s.mean, 2});
     rows.push_back({name + "_nees_median", label + " NEES median (5.35)", s.median, 2});

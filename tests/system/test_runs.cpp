@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
+#include "CsvFile.h"
 #include "TemporaryFolder.h"
 #include "appRuns.h"
 
@@ -33,6 +35,35 @@ TEST(Runs, ShippedSequenceIsMetricWithinThreeMillimetres)
     EXPECT_LT(figure(output + "/figures.json", "SE3_ate_rmse_mm"), 3.0);
     EXPECT_NEAR(figure(output + "/figures.json", "scale"), 1.0, 0.01);
     EXPECT_EQ(figure(output + "/figures.json", "frames_lost"), 0.0);
+}
+
+/** The shipped depth pictures are those of every 40th frame; most landmarks are born near one. */
+TEST(Runs, LandmarksOfTheShippedSequenceLieOnTheSurfaces)
+{
+    const TemporaryFolder folder;
+    const std::string output = folder / "out", figures = folder / "figures.json";
+    run(kDesk, output);
+    const std::string truth = "--groundtruth " + quoted(shipped("datasets/desk/groundtruth.txt"));
+    const std::string depth = " --depth " + quoted(shipped("datasets/desk/depth"));
+    const auto judged =
+        runProgram("mono-slam-eval", truth + depth + " --per-frame SE3 " + quoted(output) +
+                                         " --json " + quoted(figures));
+    ASSERT_EQ(judged.status, 0) << judged.output;
+    EXPECT_GT(figure(figures, "landmark_count"), 30.0);
+    EXPECT_LT(figure(figures, "none_landmark_median_m"), 0.01);
+    EXPECT_LT(figure(figures, "none_landmark_relative_median_pct"), 1.0);
+
+    CsvFile errors(output + "/errors.csv");
+    double sum = 0.0;
+    long poses = 0;
+    for (; errors.next(); ++poses) sum += std::pow(errors.number("position_error_m"), 2);
+    EXPECT_EQ(static_cast<double>(poses), figure(figures, "frames_matched"));
+    EXPECT_NEAR(1000.0 * std::sqrt(sum / static_cast<double>(poses)),
+                figure(figures, "SE3_ate_rmse_mm"), 1e-4);
+
+    const auto refused = runProgram("mono-slam-eval", "--out-and-back" + depth + " " + output);
+    EXPECT_NE(refused.status, 0);
+    EXPECT_NE(refused.output.find("--groundtruth"), std::string::npos) << refused.output;
 }
 
 TEST(Runs, SameSeedGivesTheSameBitsAlsoOnOneCore)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
-#include <opencv2/core/mat.hpp>
 #include <optional>
+#include <string>
 
+#include "DepthPictures.h"
 #include "RenderedSequence.h"
 
 namespace monoslam
@@ -20,7 +20,7 @@ struct PatchDepth
 class TrueWorld
 {
    public:
-    /** \param depthFolder  NNNN.png of each frame, 16 bit, z-depth times 5000 per metre */
+    /** \param depthFolder  see DepthPictures */
     TrueWorld(const RenderedSequence& sequence, std::string depthFolder);
 
     /** The surface point that a pixel of one frame shows.
@@ -35,12 +35,8 @@ class TrueWorld
     [[nodiscard]] Eigen::Vector3d eye(long frame) const;
 
    private:
-    const cv::Mat& depth(long frame);
-    std::optional<double> inverseDepth(long frame, const Eigen::Vector2d& uv_px);
-
     const RenderedSequence& sequence_;
     Camera camera_;
-    std::string depthFolder_;
-    std::map<long, cv::Mat> depths_;
+    DepthPictures depths_;
 };
 }  // namespace monoslam

@@ -106,20 +106,19 @@ std::vector<StampedCovariance> readCovariances(const std::string& fileName)
     return rows;
 }
 
-std::vector<double> trajectoryNees(const std::vector<PosePair>& pairs,
-                                   const std::vector<StampedCovariance>& covariances,
-                                   const Similarity& alignment)
+std::vector<std::optional<double>> trajectoryNees(const std::vector<PosePair>& pairs,
+                                                  const std::vector<StampedCovariance>& covariances,
+                                                  const Similarity& alignment)
 {
-    std::vector<double> values;
+    std::vector<std::optional<double>> values;
     auto row = covariances.begin();
     for (const PosePair& pair : pairs)
     {
+        std::optional<double>& value = values.emplace_back();
         while (row != covariances.end() && row->t_s < pair.estimate.t_s - kSameTime_s) ++row;
-        if (row == covariances.end()) break;
-        if (row->t_s > pair.estimate.t_s + kSameTime_s) continue;
+        if (row == covariances.end() || row->t_s > pair.estimate.t_s + kSameTime_s) continue;
         const Vector6d e = poseError(transform(alignment, pair.estimate), pair.truth);
-        if (const auto value = nees(e, transformCovariance(alignment, row->P)))
-            values.push_back(*value);
+        value = nees(e, transformCovariance(alignment, row->P));
     }
     return values;
 }

@@ -127,13 +127,13 @@ Similarity align(const std::vector<PosePair>& pairs, Alignment alignment)
     return fit;
 }
 
-Similarity alignFirstPose(const std::vector<PosePair>& pairs)
+Similarity alignFirstPose(const std::vector<PosePair>& pairs, Alignment alignment)
 {
     Similarity fit;
     if (pairs.empty()) return fit;
     const StampedPose& x = pairs.front().estimate;
     const StampedPose& y = pairs.front().truth;
-    fit.s = align(pairs, Alignment::Sim3).s;
+    fit.s = align(pairs, alignment).s;
     fit.R = rotationMatrix(quaternionProduct(y.q_wc, quaternionConjugate(x.q_wc)));
     fit.t = y.r_wc - fit.s * fit.R * x.r_wc;
     return fit;

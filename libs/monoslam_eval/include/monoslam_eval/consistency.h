@@ -45,8 +45,9 @@ struct StampedCovariance
 [[nodiscard]] MONOSLAM_EVAL_EXPORT std::vector<StampedCovariance> readCovariances(
     const std::string& fileName);
 
-/** NEES (6 numbers) of every pair that has a covariance, under an alignment. */
-[[nodiscard]] MONOSLAM_EVAL_EXPORT std::vector<double> trajectoryNees(
+/** NEES (6 numbers) of every pair under an alignment; nothing for one without a covariance or whose
+ *  pose is known exactly. */
+[[nodiscard]] MONOSLAM_EVAL_EXPORT std::vector<std::optional<double>> trajectoryNees(
     const std::vector<PosePair>& pairs, const std::vector<StampedCovariance>& covariances,
     const Similarity& alignment);
 }  // namespace monoslam

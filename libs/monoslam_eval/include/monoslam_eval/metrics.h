@@ -49,9 +49,11 @@ struct Similarity
 [[nodiscard]] MONOSLAM_EVAL_EXPORT Similarity align(const std::vector<PosePair>& pairs,
                                                     Alignment alignment);
 
-/** Takes the first estimated pose to the first true one, with the scale of the Sim3 fit: the frame
- *  in which the covariance of a start without target is meant. */
-[[nodiscard]] MONOSLAM_EVAL_EXPORT Similarity alignFirstPose(const std::vector<PosePair>& pairs);
+/** Takes the first estimated pose to the first true one, with the scale of the fit: the frame in
+ *  which the covariance of a start without target is meant (Sim3), or of a metric one whose world is
+ *  not the truth's (SE3). */
+[[nodiscard]] MONOSLAM_EVAL_EXPORT Similarity alignFirstPose(const std::vector<PosePair>& pairs,
+                                                             Alignment alignment = Alignment::Sim3);
 
 /** Errors of a trajectory under one alignment. */
 struct TrajectoryErrors

@@ -69,7 +69,8 @@ struct LandmarkPoint
 [[nodiscard]] MONOSLAM_SLAM_EXPORT std::optional<LandmarkPoint> pointOf(
     const MapLandmark& landmark);
 
-/** map.csv: every landmark's numbers and the upper triangle of their covariance, row by row. */
+/** map.csv: every landmark's numbers, the frame and pixel of its appearance, and the upper triangle of
+ *  its covariance, row by row. */
 MONOSLAM_SLAM_EXPORT void writeMapCsv(const std::string& folder,
                                       const std::vector<MapLandmark>& map);
 
