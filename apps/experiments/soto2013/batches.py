@@ -76,16 +76,15 @@ def run(batch, output, jobs):
     ini = output / "batches" / f"{batch.name}.ini"
     write_aside(ini, batch.ini())
     print(f"== {batch.name}: {batch.runs} runs", flush=True)
-    done = subprocess.run([PROGRAMS / "mono-slam-batch", ini, "--output", output, "--force",
-                           "--jobs", str(batch.jobs or jobs)], stdout=subprocess.PIPE, text=True)
-    if done.stdout:
-        print(done.stdout.splitlines()[-1], flush=True)
+    with (ini.with_suffix(".log")).open("w") as log:  # a line a run; on a terminal progress instead
+        done = subprocess.run([PROGRAMS / "mono-slam-batch", ini, "--output", output, "--force", "--jobs",
+                               str(batch.jobs or jobs)], stdout=log, stderr=None if sys.stderr.isatty() else log)
     table = output / "batches" / f"{batch.name}.csv"
     results = output / "results.csv"
     if done.returncode not in (0, 1) or not results.is_file() or ini.stat().st_mtime > results.stat().st_mtime:
-        sys.exit(f"soto2013: the batch {ini} did not run")
+        sys.exit(f"soto2013: the batch {ini} did not run; see {ini.with_suffix('.log')}")
     shutil.copyfile(results, table)
-    rows = pd.read_csv(table)
+    rows = pd.read_csv(table).copy()  # in one block, to which columns are added
     rows.insert(0, "batch", batch.name)
     if (rows.status == "pending").any():
         sys.exit(f"soto2013: the batch {ini} was interrupted; call again to go on")

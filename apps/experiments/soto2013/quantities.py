@@ -11,7 +11,8 @@ from evo.tools import file_interface
 # Distances are of the metric start's world, without alignment: the target gives it, as it gave the paper's.
 METRIC = "none"
 QUANTITIES = ["position_m", "position_se3_m", "orientation_rad", "landmark_mean_m", "landmark_median_m"]
-FROM_RESULTS = ["landmark_mean_m", "landmark_median_m", "landmark_count", "gap_pct"]
+FROM_RESULTS = {"landmark_mean_m": "none_landmark_mean_m", "landmark_median_m": "none_landmark_median_m",
+                "landmark_count": "landmark_count", "gap_pct": "gap_pct", "lost_frames": "run_frames_lost"}
 
 
 def errors_over_time(folder, truth=None, alignment=METRIC):
@@ -56,9 +57,9 @@ def measure(rows, output, alignments=None, jobs=2):
         found = pool.map(of_run, [output / folder for folder in done.folder], wanted, chunksize=8)
         measured = pd.DataFrame(list(found), index=done.index)
     measured = measured.reindex(rows.index).assign(
-        position_se3_m=column(rows, "SE3_ate_mean_mm") / 1000.0, lost_frames=column(rows, "run_frames_lost"),
+        position_se3_m=column(rows, "SE3_ate_mean_mm") / 1000.0,
         method=[method_key(*pair) for pair in zip(rows.strategy, rows.variant)],
-        **{name: column(rows, name) for name in FROM_RESULTS})
+        **{name: column(rows, source) for name, source in FROM_RESULTS.items()})
     measured.loc[rows.status == "failed", QUANTITIES] = math.inf
     return pd.concat([rows.drop(columns=rows.columns.intersection(measured.columns)), measured], axis=1)
 

@@ -3,7 +3,7 @@
 import math
 
 import pandas as pd
-from monoslam_report.seeds import measured, sign_test, summary
+from monoslam_report.seeds import sign_test, summary
 
 from methods import BY_KEY, METHODS, MHDA
 
@@ -72,17 +72,23 @@ def table2(runs):
     return pd.DataFrame(rows)
 
 
-def spread(runs, quantities, reference=MHDA):
-    """Median, quartiles and worst over the seeds; a sign test of each method against MHDA."""
+# Title: quantity, its unit.
+SPREAD = {"position [mm]": ("position_m", 1e3), "after SE3 [mm]": ("position_se3_m", 1e3),
+          "orientation [mrad]": ("orientation_rad", 1e3), "landmarks, median [mm]": ("landmark_median_m", 1e3),
+          "ms a frame": ("frame_ms", 1.0)}
+TESTED = {"position": "position_m", "orientation": "orientation_rad", "landmarks": "landmark_median_m"}
+
+
+def spread(runs, reference=MHDA):
+    """Median, quartiles and worst over the seeds; sign tests of each method against MHDA."""
     rows = []
     for key in keys_in(runs):
         cells = {"method": label_of(key)}
-        for name, (quantity, scale) in quantities.items():
-            s = summary([scale * value for value in of(runs, key, quantity)])
-            cells[name] = short(s.median)
-            cells[f"{name}, middle half"] = f"{short(s.quartiles[0])} to {short(s.quartiles[1])}"
-            cells[f"{name}, worst"] = short(s.worst)
-            cells[f"{name}, better than MHDA"] = "-" if key == reference else versus(runs, key, reference, quantity)
+        for title, (quantity, unit) in SPREAD.items():
+            s = summary([unit * value for value in of(runs, key, quantity)])
+            cells[title] = f"{short(s.median)} ({short(s.quartiles[0])} to {short(s.quartiles[1])}; {short(s.worst)})"
+        for title, quantity in TESTED.items():
+            cells[f"{title} better than MHDA"] = "-" if key == reference else versus(runs, key, reference, quantity)
         rows.append(cells)
     return pd.DataFrame(rows)
 
@@ -93,14 +99,3 @@ def versus(runs, key, reference, quantity):
         return "-"
     return f"{test.wins} of {test.wins + test.losses + test.ties} (p {test.p:.2g})"
 
-
-SPREADS = {
-    "position": {"position [mm]": ("position_m", 1e3), "after SE3 [mm]": ("position_se3_m", 1e3)},
-    "orientation": {"orientation [mrad]": ("orientation_rad", 1e3), "ms a frame": ("frame_ms", 1.0)},
-    "landmarks": {"landmarks, mean [mm]": ("landmark_mean_m", 1e3),
-                  "landmarks, median [mm]": ("landmark_median_m", 1e3)},
-}
-
-
-def has(runs, quantity):
-    return quantity in runs and runs[quantity].map(measured).any()

@@ -19,12 +19,10 @@ def call(*command):
         sys.exit(f"{' '.join(map(str, command))}\n{done.stdout[-500:]}{done.stderr}")
 
 
-def render(folder, quick):
+def render(folder, names, quick):
     """Frames that are there are kept by the renderer, so that this only fills gaps."""
-    names = ["quick"] if quick else ["office"]
-    for name in names:
-        print(f"rendering the world {name} in {folder}", flush=True)
-        subprocess.run([ROOT / "datasets" / "render.sh", folder, "--world", name], check=True)
+    only = [word for name in names for word in ("--sequence", name)]
+    subprocess.run([ROOT / "datasets" / "render.sh", folder, "--world", "quick" if quick else "office", *only], check=True)
 
 
 def images(folder):
