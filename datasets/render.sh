@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 set -eu
 here=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
+case " $* " in
+*" --world "*) tool=render_worlds.py ;;
+*) tool=render.py ;;
+esac
 if [ $# -eq 0 ] || [ "$1" = "--help" ] || [ "$1" = "-h" ]; then
     cat <<'USAGE'
 usage: render.sh OUTPUT [options]      renders desk/ and desk_moving/ (images and the depth of all frames)
@@ -32,4 +36,4 @@ if [ "$1" = "--check" ]; then
     shift
     exec "$env/bin/python" "$here/scenes/check_geometry.py" "$@"
 fi
-exec "$env/bin/python" "$here/scenes/render.py" "$@"
+exec "$env/bin/python" "$here/scenes/$tool" "$@"
