@@ -20,7 +20,7 @@ SEQUENCES = {
 
 
 def program(name):
-    return os.path.join(ROOT, "build", "release", "bin", name)
+    return os.path.join(os.environ.get("MONOSLAM_PROGRAMS", os.path.join(ROOT, "build", "release", "bin")), name)
 
 
 def call(*command):

@@ -10,7 +10,7 @@ from pathlib import Path
 import pandas as pd
 
 ROOT = Path(__file__).resolve().parents[3]
-PROGRAMS = ROOT / "build" / "release" / "bin"
+PROGRAMS = Path(os.environ["MONOSLAM_PROGRAMS"])
 CONFIGURATIONS = {"paper": ROOT / "config" / "soto2013.ini", "ours": ROOT / "config" / "default.ini"}
 
 

@@ -42,7 +42,7 @@ def write_recovery(document, runs, cells, disturbed, folders):
         document.add(
             f"Recovery: {NAMES[configuration]}",
             f"The {name} is displaced from frame {first} to {last} of {disturbed.frames}; all else is as in the "
-            f"undisturbed sequence. Before: median error of {moved_object.BEFORE} frames; end: of the last "
+            f"undisturbed sequence. Position errors after SE3 by the poses before. Before: median error of {moved_object.BEFORE} frames; end: of the last "
             f"{moved_object.AFTER}. Recovered: never lost, and at the end at most {moved_object.RECOVERED:g} times the "
             "median error of the method's undisturbed runs. Landmarks on the object: born before it moves and predicted "
             "within what its displacement covers and uncovers; accepted pairs of theirs are wrong from then on.",
@@ -53,8 +53,7 @@ def write_recovery(document, runs, cells, disturbed, folders):
 def draw_recovery(document, runs, cells, disturbed, folders):
     name, first, last = moved_object.moved_frames(folders[0])
     own = runs[(runs.batch == "recovery") & (runs.configuration == "paper")]
-    seconds = [t / 30.0 for t in (first, last)]
-    figures.recovery(own, cells["paper", disturbed.frames], document.output, seconds, document.output / "figures")
+    figures.recovery(own, cells["paper", disturbed.frames], document.output, (first, last), document.output / "figures")
     document.add("Recovery over time", f"Position error with the paper's settings, median and middle half of the seeds; "
                  f"red: the {name} moves.", figure="recovery")
     pictures.montage(disturbed, folders, first, last, document.output)

@@ -50,14 +50,15 @@ def table2(by_configuration, folder, name):
     save(figure, folder, name)
 
 
-def error_bands(runs, output):
-    """(t, quartiles of the position error in mm) over the seeds of one method."""
-    errors = [errors_over_time(output / folder).set_index("t_s").position_m * 1e3 for folder in runs.folder]
+def error_bands(runs, output, first):
+    """(t, quartiles of the position error in mm) over the seeds of one method; aligned by the first poses."""
+    errors = [errors_over_time(output / folder, poses=first).set_index("t_s").position_m * 1e3
+              for folder in runs.folder]
     table = np.ma.masked_invalid(np.array([e.reindex(errors[0].index).to_numpy() for e in errors], dtype=float))
     return errors[0].index.to_numpy(), np.nanpercentile(table.filled(np.nan), [25, 50, 75], axis=0)
 
 
-def recovery(moved, controls, output, seconds, folder):
+def recovery(moved, controls, output, frames, folder):
     """Position error over time: median and middle half of the seeds, with and without the displacement."""
     keys = keys_in(moved)
     columns = 4
@@ -67,10 +68,10 @@ def recovery(moved, controls, output, seconds, folder):
         for runs, colour, label in ((controls, GREY, "nothing moves"), (moved, BLUE, "an object is displaced")):
             own = runs[(runs.method == key) & (runs.status == "done")]
             if len(own):
-                t, (lower, middle, upper) = error_bands(own, output)
+                t, (lower, middle, upper) = error_bands(own, output, frames[0])
                 axis.fill_between(t, lower, upper, color=colour, alpha=0.25, lw=0)
                 axis.plot(t, middle, color=colour, label=label)
-        axis.axvspan(*seconds, color=RED, alpha=0.2, lw=0)
+        axis.axvspan(*(t[frame] for frame in frames), color=RED, alpha=0.2, lw=0)
         axis.set(yscale="log")
         axis.yaxis.set_major_formatter("{x:g}")
         axis.yaxis.set_minor_formatter("")

@@ -21,9 +21,9 @@ RECOVERED = 2.0  # times the undisturbed error
 def moved_frames(folder):
     """(name, first, last) of the object that is displaced."""
     for mark in json.loads((folder / "marks.json").read_text())["objects"]:
-        if mark["kind"] in ("moved", "moving"):
+        if mark["kind"] == "moved":
             return mark["name"], mark["from_frame"], mark["to_frame"]
-    raise ValueError(f"{folder / 'marks.json'}: no object is marked as moved or moving")
+    raise ValueError(f"{folder / 'marks.json'}: no object is marked as moved")
 
 
 def read_depth(folder, frame):
@@ -74,8 +74,8 @@ def fates(folder, regions, first, last):
 
 
 def of_run(folder, first, last):
-    """Position error before, at its worst after, and at the end."""
-    error = errors_over_time(folder).position_m.to_numpy()
+    """Position error before, at its worst after, and at the end; aligned by the poses before."""
+    error = errors_over_time(folder, poses=first).position_m.to_numpy()
     return {"before_m": np.median(error[max(first - BEFORE, 0):first]),
             "peak_m": error[first:].max(), "end_m": np.median(error[-AFTER:])}
 

@@ -2,6 +2,7 @@
 """Table 2 and Fig. 1 of Soto-Alvarez and Honkamaa (2013), with sweeps and frame rates. Called by run.sh."""
 import argparse
 import os
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -17,6 +18,8 @@ import real
 import sweeps
 import worlds
 from document import Document
+from methods import MHDA
+from moved_object import BEFORE, moved_frames
 
 
 def arguments():
@@ -25,7 +28,6 @@ def arguments():
     parser.add_argument("--worlds", type=Path, help="folder of the rendered worlds, which must be complete")
     parser.add_argument("--output", type=Path, help="results; a call goes on where an earlier one ended")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time")
-    parser.add_argument("--only-report", action="store_true", help="tables and figures of runs that exist")
     args = parser.parse_args()
     if args.jobs < 1:
         parser.error("--jobs must be at least 1")
@@ -45,6 +47,8 @@ def find_worlds(args, size):
         sys.exit(f"soto2013: {folder}: not complete: {', '.join(missing)}")
     if missing:
         worlds.render(folder, list(needed), args.quick)
+    if moved_frames(folder / "office_moved")[2] + BEFORE > size.moved_frames:
+        sys.exit(f"soto2013: {folder / 'office_moved'}: its object moves too late for {size.moved_frames} frames")
     return folder / "office", folder / "office_moved"
 
 
@@ -59,14 +63,15 @@ def announce(wanted, office, size, args):
 
 def measured_runs(wanted, args):
     rows = pd.concat([batches.run(batch, args.output, args.jobs) for batch in wanted], ignore_index=True)
-    batches.write_aside(args.output / "results.csv", in_names_of_jobs(rows).to_csv(index=False))
+    shown = rows[rows.batch.isin(["table2", "recovery", "real"]) | rows.batch.str.startswith("capped")]
+    batches.write_aside(args.output / "results.csv", in_names_of_jobs(shown).to_csv(index=False))
     runs = quantities.measure(rows, args.output, real.ALIGNMENTS, args.jobs)
     batches.write_aside(args.output / "runs.csv", runs.to_csv(index=False))
     return runs
 
 
 def in_names_of_jobs(rows):
-    """results.csv as a batch writes it, of all batches: what mono-slam-report reads."""
+    """results.csv as a batch writes it: what mono-slam-report reads. All runs are in runs.csv."""
     rows = rows.assign(sequence=rows.sequence + "." + rows.configuration)
     return rows.drop(columns=["batch", "configuration"]).drop_duplicates("folder")
 
@@ -107,7 +112,9 @@ def main():
     announce(wanted, sequences[0], size, args)
     runs = measured_runs(wanted, args)
     report(runs, size, sequences, folders, args.output)
-    print(f"{args.output / 'report.json'}: {len(runs)} runs, {(time.monotonic() - start) / 60:.1f} min")
+    subprocess.run([batches.ROOT / "apps" / "mono-slam-report" / "mono-slam-report", args.output,
+                    "--reference", MHDA, *(["--cells", "1", "--paths", "1"] if args.quick else [])], check=True)
+    print(f"{len(runs)} runs, {(time.monotonic() - start) / 60:.1f} min")
 
 
 if __name__ == "__main__":

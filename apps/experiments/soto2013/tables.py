@@ -73,7 +73,7 @@ def table2(runs):
 
 
 # Title: quantity, its unit.
-SPREAD = {"position [mm]": ("position_m", 1e3), "after SE3 [mm]": ("position_se3_m", 1e3),
+SPREAD = {"position [mm]": ("position_m", 1e3), "unaligned [mm]": ("position_unaligned_m", 1e3),
           "orientation [mrad]": ("orientation_rad", 1e3), "landmarks, median [mm]": ("landmark_median_m", 1e3),
           "ms a frame": ("frame_ms", 1.0)}
 TESTED = {"position": "position_m", "orientation": "orientation_rad", "landmarks": "landmark_median_m"}
