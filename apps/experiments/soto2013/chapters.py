@@ -42,7 +42,7 @@ def write_recovery(document, runs, cells, disturbed, folders):
         document.add(
             f"Recovery: {NAMES[configuration]}",
             f"The {name} is displaced from frame {first} to {last} of {disturbed.frames}; all else is as in the "
-            f"undisturbed sequence. Position errors after SE3 by the poses before. Before: median error of {moved_object.BEFORE} frames; end: of the last "
+            f"undisturbed sequence. Before: median error of {moved_object.BEFORE} frames; end: of the last "
             f"{moved_object.AFTER}. Recovered: never lost, and at the end at most {moved_object.RECOVERED:g} times the "
             "median error of the method's undisturbed runs. Landmarks on the object: born before it moves and predicted "
             "within what its displacement covers and uncovers; accepted pairs of theirs are wrong from then on.",

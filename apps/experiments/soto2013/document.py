@@ -19,10 +19,10 @@ Everything is run twice: with *the paper's settings* (`config/soto2013.ini`: und
 of known size, in view in the first frame, gives metric scale.
 
 **What is measured**, since the paper defines none of it. Position and orientation: mean over the frames of the distance
-and of the angle to the true pose, after an SE3 alignment of the path, because the target's pose in the first frame has an
-error of its own that no association can mend; position without alignment stands beside it. Landmarks: distance to the true
-surface point that the pixel of the landmark's first frame shows, under the same alignment, over all that are alive at the
-end and have a finite depth; mean (as the paper) and median. Time: mean CPU time of a frame without decoding, all threads,
+and of the angle to the true pose, in the world that the target defines, without alignment. The target's pose in the first
+frame has an error of its own that no association can mend; so position after SE3 stands beside. Landmarks: distance to
+the true surface point that the pixel of the landmark's first frame shows, over all that are alive at the end and have a
+finite depth; mean (as the paper) and median. Time: mean CPU time of a frame without decoding, all threads,
 from the second frame on. A run that loses track or fails counts like any other. The images are the same for all seeds: what
 the seeds vary is where corners are looked for and what a method draws."""
 

@@ -4,6 +4,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker as ticker  # noqa: E402
 import numpy as np  # noqa: E402
 
 import planes  # noqa: E402
@@ -23,6 +24,13 @@ def save(figure, folder, name):
     for kind in ("svg", "png"):
         figure.savefig(folder / f"{name}.{kind}", dpi=150, metadata={"Date": None} if kind == "svg" else None)
     plt.close(figure)
+
+
+def plain_numbers(axis):
+    """Ticks of a logarithmic axis at 1, 2 and 5, as numbers."""
+    axis.yaxis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+    axis.yaxis.set_major_formatter("{x:g}")
+    axis.yaxis.set_minor_locator(ticker.NullLocator())
 
 
 def table2(by_configuration, folder, name):
@@ -50,10 +58,9 @@ def table2(by_configuration, folder, name):
     save(figure, folder, name)
 
 
-def error_bands(runs, output, first):
-    """(t, quartiles of the position error in mm) over the seeds of one method; aligned by the first poses."""
-    errors = [errors_over_time(output / folder, poses=first).set_index("t_s").position_m * 1e3
-              for folder in runs.folder]
+def error_bands(runs, output):
+    """(t, quartiles of the position error in mm) over the seeds of one method."""
+    errors = [errors_over_time(output / folder).set_index("t_s").position_m * 1e3 for folder in runs.folder]
     table = np.ma.masked_invalid(np.array([e.reindex(errors[0].index).to_numpy() for e in errors], dtype=float))
     return errors[0].index.to_numpy(), np.nanpercentile(table.filled(np.nan), [25, 50, 75], axis=0)
 
@@ -68,13 +75,12 @@ def recovery(moved, controls, output, frames, folder):
         for runs, colour, label in ((controls, GREY, "nothing moves"), (moved, BLUE, "an object is displaced")):
             own = runs[(runs.method == key) & (runs.status == "done")]
             if len(own):
-                t, (lower, middle, upper) = error_bands(own, output, frames[0])
+                t, (lower, middle, upper) = error_bands(own, output)
                 axis.fill_between(t, lower, upper, color=colour, alpha=0.25, lw=0)
                 axis.plot(t, middle, color=colour, label=label)
         axis.axvspan(*(t[frame] for frame in frames), color=RED, alpha=0.2, lw=0)
         axis.set(yscale="log")
-        axis.yaxis.set_major_formatter("{x:g}")
-        axis.yaxis.set_minor_formatter("")
+        plain_numbers(axis)
         axis.set_title(label_of(key), fontweight="bold" if key == MHDA else "normal", fontsize=9)
     for axis in axes.flat[len(keys):]:
         axis.set_axis_off()
@@ -97,6 +103,7 @@ def sweep(runs, parameters, folder):
             axis.set_xticks(points.value.unique(), [f"{v:g}" for v in points.value.unique()], fontsize=7)
             axis.minorticks_off()
         top.set(yscale="log")
+        plain_numbers(top)
     axes[0, 0].set_ylabel("position error [mm]")
     axes[1, 0].set_ylabel("time a frame [ms]")
     axes[0, 0].legend(fontsize=7)

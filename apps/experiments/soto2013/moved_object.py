@@ -74,8 +74,8 @@ def fates(folder, regions, first, last):
 
 
 def of_run(folder, first, last):
-    """Position error before, at its worst after, and at the end; aligned by the poses before."""
-    error = errors_over_time(folder, poses=first).position_m.to_numpy()
+    """Position error before, at its worst after, and at the end."""
+    error = errors_over_time(folder).position_m.to_numpy()
     return {"before_m": np.median(error[max(first - BEFORE, 0):first]),
             "peak_m": error[first:].max(), "end_m": np.median(error[-AFTER:])}
 

@@ -8,23 +8,20 @@ import pandas as pd
 from evo.core import metrics, sync
 from evo.tools import file_interface
 
-# The target gives scale and world; its pose in the first frame has an error that no association can mend.
-METRIC = "SE3"
-QUANTITIES = ["position_m", "position_unaligned_m", "orientation_rad", "landmark_mean_m", "landmark_median_m"]
-FROM_RESULTS = {"landmark_mean_m": "SE3_landmark_mean_m", "landmark_median_m": "SE3_landmark_median_m",
+# The target gives scale and world. SE3 by positions would turn a path that is next to straight by any angle.
+METRIC = "none"
+QUANTITIES = ["position_m", "position_se3_m", "orientation_rad", "landmark_mean_m", "landmark_median_m"]
+FROM_RESULTS = {"landmark_mean_m": "none_landmark_mean_m", "landmark_median_m": "none_landmark_median_m",
                 "landmark_count": "landmark_count", "gap_pct": "gap_pct", "lost_frames": "run_frames_lost"}
-ALL = -1
 
 
-def errors_over_time(folder, alignment=METRIC, poses=ALL):
-    """Position [m] and rotation error [rad] of every frame that has a pose, with its time.
-
-    \param poses  that the alignment is made by: the first ones, or all
-    """
+def errors_over_time(folder, alignment=METRIC):
+    """Position [m] and rotation error [rad] of every frame that has a pose, with its time."""
     true = file_interface.read_tum_trajectory_file(folder / "groundtruth.tum")
     estimate = file_interface.read_tum_trajectory_file(folder / "trajectory.tum")
     true, estimate = sync.associate_trajectories(true, estimate, max_diff=0.005)
-    estimate.align(true, correct_scale=alignment == "Sim3", n=poses)
+    if alignment != METRIC:
+        estimate.align(true, correct_scale=alignment == "Sim3")
     parts = []
     for relation in (metrics.PoseRelation.translation_part, metrics.PoseRelation.rotation_angle_rad):
         ape = metrics.APE(relation)
@@ -51,7 +48,7 @@ def of_run(folder, alignment=METRIC):
 def measure(rows, output, alignments=None, jobs=2):
     """The rows of runs with their quantities; a failed run's are infinite.
 
-    \\param alignments  {sequence: SE3, Sim3 or None for no truth}; METRIC where nothing is said
+    \\param alignments  {sequence: none, SE3, Sim3 or None for no truth}; METRIC where nothing is said
     """
     rows = rows.reset_index(drop=True)
     done = rows[rows.status == "done"]
@@ -60,7 +57,7 @@ def measure(rows, output, alignments=None, jobs=2):
         found = pool.map(of_run, [output / folder for folder in done.folder], wanted, chunksize=8)
         measured = pd.DataFrame(list(found), index=done.index)
     measured = measured.reindex(rows.index).assign(
-        position_unaligned_m=column(rows, "none_ate_mean_mm") / 1000.0,
+        position_se3_m=column(rows, "SE3_ate_mean_mm") / 1000.0,
         method=[method_key(*pair) for pair in zip(rows.strategy, rows.variant)],
         **{name: column(rows, source) for name, source in FROM_RESULTS.items()})
     measured.loc[rows.status == "failed", QUANTITIES] = math.inf
