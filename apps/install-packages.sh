@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing of the Debian 12 packages that we build with; asks nothing.
-#     apps/install-packages.sh [tests] [checks]     the build's own packages are always included
+#     apps/install-packages.sh [tests] [worlds] [checks]     the build's own packages are always included
 set -euo pipefail
 
 packages=(
@@ -13,9 +13,10 @@ packages=(
 )
 for group in "$@"; do
     case $group in
+        worlds) packages+=(povray python3-venv) ;;
         tests) packages+=(libbenchmark-dev libgtest-dev mrpt-apps mrpt-common python3-venv) ;;
         checks) packages+=(clang-format clang-tidy git) ;;
-        *) echo "$0: unknown group '$group': tests or checks" >&2; exit 2 ;;
+        *) echo "$0: unknown group '$group': tests, worlds or checks" >&2; exit 2 ;;
     esac
 done
 

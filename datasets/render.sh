@@ -2,20 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 set -eu
 here=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
-case " $* " in
-*" --world "*) tool=render_worlds.py ;;
-*) tool=render.py ;;
-esac
 if [ $# -eq 0 ] || [ "$1" = "--help" ] || [ "$1" = "-h" ]; then
     cat <<'USAGE'
-usage: render.sh OUTPUT [options]      renders desk/ and desk_moving/ (images and the depth of all frames)
-       render.sh --check               reprojects frames into each other and tells the grey-level difference
+usage: render.sh OUTPUT --world office|lab|quick [options]   renders a world of sequences; --help after --world tells more
+       render.sh OUTPUT [options]                renders desk/ and desk_moving/ (images and the depth of all frames)
+       render.sh --sensor INPUT OUTPUT [options] a rendered sequence as a cheap camera records it; see --sensor --help
+       render.sh --check FOLDER...               reprojects the frames of rendered sequences into each other
+       render.sh --check                         the same with frames of desk rendered for it
+       render.sh --describe                      tables of the worlds and of what a picture costs
 
-Needs povray 3.7 and python3 with venv (Debian: apt install povray python3-venv). The Python packages of
+Needs povray 3.7 and python3 with venv (apps/install-packages.sh worlds). The Python packages of
 scenes/requirements.txt go into a virtual environment, ${MONOSLAM_RENDER_ENV:-~/.cache/monoslam-render}, made when
-missing. Frames already in OUTPUT are kept: run it again after an interruption. About 4 s an image, 1 s a depth.
+missing. Frames already in OUTPUT are kept: run it again after an interruption.
 
-options:
+options of desk (about 4 s an image, 1 s a depth):
   --sequence desk|desk_moving   only this sequence (repeatable)
   --what gray depth             only images or only depth
   --depth-every N               depth of every Nth frame only
@@ -24,7 +24,18 @@ USAGE
     [ $# -gt 0 ]
     exit
 fi
-command -v povray >/dev/null || { echo "render.sh: povray is not installed" >&2; exit 1; }
+tool=render.py
+case "$1 ${2-}" in
+"--sensor "*) tool=sensor.py; shift ;;
+"--check "[!-]*) tool=check_sequence.py; shift ;;
+"--check "*) tool=check_geometry.py; shift ;;
+"--describe "*) tool=describe_worlds.py; shift ;;
+*) case " $* " in *" --world "* | *" --world="*) tool=render_worlds.py ;; esac ;;
+esac
+case $tool in
+render*.py | check_geometry.py | describe_worlds.py)
+    command -v povray >/dev/null || { echo "render.sh: povray is not installed: apps/install-packages.sh worlds" >&2; exit 1; } ;;
+esac
 env=${MONOSLAM_RENDER_ENV:-${XDG_CACHE_HOME:-$HOME/.cache}/monoslam-render}
 if [ ! -e "$env/ready" ]; then
     python3 -m venv "$env"
@@ -32,8 +43,4 @@ if [ ! -e "$env/ready" ]; then
     touch "$env/ready"
 fi
 export PYTHONDONTWRITEBYTECODE=1
-if [ "$1" = "--check" ]; then
-    shift
-    exec "$env/bin/python" "$here/scenes/check_geometry.py" "$@"
-fi
 exec "$env/bin/python" "$here/scenes/$tool" "$@"

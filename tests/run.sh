@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs the tests; the last line counts them. Only evo and
-# Snakemake, for one test each, come from PyPI.
+# Installs what is missing, builds, runs the tests; the last line counts them. Only evo, Snakemake and
+# the report's packages, each for tests of their own, come from PyPI.
 #     tests/run.sh [--full]      --full adds the slow suites and the benchmarks
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,20 +12,9 @@ case ${1-} in
     *) echo "usage: tests/run.sh [--full]" >&2; exit 2 ;;
 esac
 
-# evo is not in Debian: it goes to build/venv, where tests/CMakeLists.txt looks for it.
-install_evo()
-{
-    local venv=build/venv wanted=tests/requirements.txt
-    cmp -s "$wanted" "$venv/installed.txt" && return
-    echo "Installing evo to $venv"
-    python3 -m venv --clear "$venv" &&
-        "$venv/bin/pip" install --quiet --disable-pip-version-check --retries 1 -r "$wanted" &&
-        cp "$wanted" "$venv/installed.txt"
-}
-
-apps/install-packages.sh tests
-install_evo </dev/null ||
-    echo "evo cannot be installed (PyPI out of reach?): compare_with_evo will be skipped" >&2
+apps/install-packages.sh tests worlds
+apps/mono-slam-report/install.sh </dev/null ||
+    echo "the report's packages cannot be installed (PyPI out of reach?): its tests and compare_with_evo will be skipped" >&2
 apps/mono-slam-batch/workflow/install.sh </dev/null ||
     echo "Snakemake cannot be installed (PyPI out of reach?): batch_workflow will be skipped" >&2
 cmake --preset release

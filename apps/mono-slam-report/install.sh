@@ -3,9 +3,9 @@
 # What requirements.txt names, to build/venv-report (another folder by MONOSLAM_REPORT_VENV); nothing
 # when it is there. Two calls at the same time do not disturb each other.
 set -euo pipefail
-wanted=$(realpath "$(dirname "$0")")/requirements.txt
-cd "$(dirname "$0")/../.."
-venv=${MONOSLAM_REPORT_VENV:-$PWD/build/venv-report}
+here=$(dirname "$(realpath "$0")")
+wanted=$here/requirements.txt
+venv=${MONOSLAM_REPORT_VENV:-$(realpath -m "$here/../../build/venv-report")}
 mkdir -p "$(dirname "$venv")"
 exec 9>"$venv.lock"
 flock 9

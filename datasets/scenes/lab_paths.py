@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The laboratory's camera paths, slow as on a rail: each returns the poses and its segments (first and last frame)."""
+
 import math
 
 import cv2
@@ -24,13 +25,20 @@ def advance(frames, sway, phase):
 def wobble(frames, phase, size_rad):
     """Yaw, pitch and roll of a carriage that does not run quite true."""
     t = np.arange(frames)[:, None] / RATE_HZ
-    return size_rad * np.sin(2 * math.pi * t * np.array([0.31, 0.43, 0.22]) + phase * np.array([1, 2, 3])) * np.minimum(1, t)
+    return (
+        size_rad
+        * np.sin(2 * math.pi * t * np.array([0.31, 0.43, 0.22]) + phase * np.array([1, 2, 3]))
+        * np.minimum(1, t)
+    )
 
 
 def smoothed(angle):
     """No step in the rate of a turn: Gaussian over half a second, continued beyond both ends."""
     n = 24
-    lead, tail = angle[0] + (angle[1] - angle[0]) * np.arange(-n, 0), angle[-1] + (angle[-1] - angle[-2]) * np.arange(1, n + 1)
+    lead, tail = (
+        angle[0] + (angle[1] - angle[0]) * np.arange(-n, 0),
+        angle[-1] + (angle[-1] - angle[-2]) * np.arange(1, n + 1),
+    )
     padded = np.concatenate([lead, angle, tail]).astype(np.float64)
     return cv2.GaussianBlur(padded[:, None], (1, 2 * n + 1), sigmaX=1, sigmaY=7.0).ravel()[n:-n]
 
@@ -63,7 +71,8 @@ def uturn(frames, radius, height, start_deg, ahead_deg, seed):
     line = bend[-1] + np.outer(way, [-STRAIGHT_M, 0, 0])
     yaw = np.concatenate([phi + math.pi, np.full(len(way) - 1, 1.5 * math.pi)])
     ahead = math.radians(ahead_deg) * ease((np.arange(frames) - turning) / 60)
-    pitch = -np.arctan2(height + 0.02, radius) + 0.05 * ease((np.arange(frames) - turning) / 60)
+    down = -math.atan2(height + 0.02, radius)
+    pitch = down + (max(down + 0.05, -0.5) - down) * ease((np.arange(frames) - turning) / 60)
     poses = rows(np.vstack([bend, line[1:]]), smoothed(yaw) - ahead, pitch, wobble(frames, seed, 0.008))
     return poses, {"turn": [0, turning], "straight": [turning, frames - 1]}
 

@@ -1,10 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What stands and moves in the laboratory and its corridor: clutter by a seed, a person, a trolley, a displaced box."""
+
 import numpy as np
 
 from sequence import Box, ease
 
-SKINS = ["cover0", "cover1", "cover2", "cover3", "cover4", "cover5", "carton", "label", "page0", "page1", "parcel", "mug0"]
+SKINS = [
+    "cover0",
+    "cover1",
+    "cover2",
+    "cover3",
+    "cover4",
+    "cover5",
+    "carton",
+    "label",
+    "page0",
+    "page1",
+    "parcel",
+    "mug0",
+]
 TARGET_MARGIN_M = (0.20, 0.16)  # kept free round the target
 MOVED_FRAMES = 8
 TABLE_KEPT = [(-0.36, 0.10, 0.17, 0.09), (-0.42, 0.52, 0.26, 0.12), (0.03, 0.54, 0.2, 0.14), (0.47, 0.02, 0.2, 0.14)]
@@ -33,9 +47,12 @@ def scattered(rng, area, count, tallest, kept):
 def clutter(seed):
     rng = np.random.default_rng([77, seed])
     target = (0, 0, *TARGET_MARGIN_M)
-    bench = [(-4.2 + 0.85 * i, -0.15, 0.24, 0.10) for i in range(3)] + [(-4.0 + 0.85 * i, 0.10, 0.14, 0.1) for i in range(3)]
-    return (scattered(rng, (-0.79, -0.27, 0.79, 0.71), 26, 0.24, [target] + TABLE_KEPT)
-            + scattered(rng, (-4.6, -0.49, -1.8, 0.39), 34, 0.28, bench))
+    bench = [(-4.2 + 0.85 * i, -0.15, 0.24, 0.10) for i in range(3)] + [
+        (-4.0 + 0.85 * i, 0.10, 0.14, 0.1) for i in range(3)
+    ]
+    return scattered(rng, (-0.79, -0.27, 0.79, 0.71), 26, 0.24, [target] + TABLE_KEPT) + scattered(
+        rng, (-4.6, -0.49, -1.8, 0.39), 34, 0.28, bench
+    )
 
 
 def cartons(seed):
@@ -54,14 +71,19 @@ def cartons(seed):
 
 def person(x, y, deg):
     coat, other = ("coat", "coat", "coat"), ("grain", "grain", "grain")
-    return [Box((x, y, -0.75), (0.34, 0.20, 0.80), deg, other), Box((x, y, 0.05), (0.44, 0.24, 0.60), deg, coat),
-            Box((x, y, 0.68), (0.19, 0.20, 0.25), deg, ("mug1", "mug1", "mug1"))]
+    return [
+        Box((x, y, -0.75), (0.34, 0.20, 0.80), deg, other),
+        Box((x, y, 0.05), (0.44, 0.24, 0.60), deg, coat),
+        Box((x, y, 0.68), (0.19, 0.20, 0.25), deg, ("mug1", "mug1", "mug1")),
+    ]
 
 
 def trolley(x, y, deg):
-    return [Box((x, y, -0.65), (0.7, 0.45, 0.06), deg, ("grain", "grain", "grain")),
-            Box((x, y, -0.59), (0.5, 0.40, 0.45), deg, ("parcel", "carton", "parcel")),
-            Box((x, y, -0.14), (0.3, 0.25, 0.22), deg, ("cover3", "label", "cover5"))]
+    return [
+        Box((x, y, -0.65), (0.7, 0.45, 0.06), deg, ("grain", "grain", "grain")),
+        Box((x, y, -0.59), (0.5, 0.40, 0.45), deg, ("parcel", "carton", "parcel")),
+        Box((x, y, -0.14), (0.3, 0.25, 0.22), deg, ("cover3", "label", "cover5")),
+    ]
 
 
 def along(start, end, first, last, frame):
@@ -76,11 +98,24 @@ class Movers:
         self.walks, self.box, self.shift, self.moved_at = walks, box, np.array(shift), moved_at
 
     def __call__(self, frame):
-        boxes = [b for make, start, end, deg, first, last in self.walks for b in make(*along(start, end, first, last, frame), deg)]
+        boxes = [
+            b
+            for make, start, end, deg, first, last in self.walks
+            for b in make(*along(start, end, first, last, frame), deg)
+        ]
         share = float(ease((frame - self.moved_at) / MOVED_FRAMES))
         centre = tuple(np.array(self.box.centre) + share * self.shift)
         return boxes + [Box(centre, self.box.size, self.box.deg, self.box.pictures)]
 
     def marks(self):
-        return ([{"name": make.__name__, "kind": "moving", "from_frame": first, "to_frame": last} for make, _, _, _, first, last in self.walks]
-                + [{"name": "displaced box", "kind": "moved", "from_frame": self.moved_at, "to_frame": self.moved_at + MOVED_FRAMES}])
+        return [
+            {"name": make.__name__, "kind": "moving", "from_frame": first, "to_frame": last}
+            for make, _, _, _, first, last in self.walks
+        ] + [
+            {
+                "name": "displaced box",
+                "kind": "moved",
+                "from_frame": self.moved_at,
+                "to_frame": self.moved_at + MOVED_FRAMES,
+            }
+        ]

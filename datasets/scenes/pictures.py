@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures of the rendered worlds: those of the desk at the scale that a camera can resolve, and some more."""
+
 import cv2
 import numpy as np
 

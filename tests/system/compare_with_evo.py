@@ -2,7 +2,7 @@
 """mono-slam-eval against evo (PyPI) on a made-up trajectory: all figures agree to 1e-6.
 
 usage: compare_with_evo.py MONO_SLAM_EVAL [GROUNDTRUTH ESTIMATE]
-Exit status 77 (skipped) where evo is not installed; tests/run.sh installs it to build/venv.
+Exit status 77 (skipped) where evo is not installed; tests/run.sh installs it to build/venv-report.
 """
 import copy
 import json

@@ -14,7 +14,7 @@ from .results import Cell
 
 POSE = 6  # numbers of a pose
 INSIDE = (0.025, 0.975)
-COLUMNS = ["NEES / 6", "NIS / (2 pairs)"]
+COLUMNS = ["NEES / 6 [1]", "NIS / 2 pairs [1]"]
 
 
 def section(context: Context) -> Section:
@@ -23,7 +23,7 @@ def section(context: Context) -> Section:
             "numbers. NIS: joint squared Mahalanobis distance of the accepted pairs, divided by 2 for each pair. Both "
             "are 1 on average if the covariances are right; above, the filter is too sure of itself, below, it is "
             "too careful. The grey region holds 95 % of the values of a consistent filter in one run (for NIS with "
-            "the median number of pairs). NIS is of the strategies that report a joint distance.")
+            "the median number of pairs). NEES is that of `errors.csv`, whose alignment the batch names; NIS is of the strategies that report a joint distance.")
     context.add_figures(out, lambda cell: draw(context, cell),
                         "No run has a joint distance, nor a NEES (errors.csv, which mono-slam-batch writes).")
     return out

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from .figures import Figure, FigureFolder
-from .page import Section
+from .page import Fold, Section
 from .results import Cell, Results
 from .style import Look
 
@@ -22,16 +22,15 @@ class Context:
         return self.results.cells[:self.most_cells]
 
     def add_figures(self, section: Section, draw: Callable[[Cell], Figure | None], nothing: str) -> None:
-        """A figure a cell; says what is left out, or why there is none."""
-        drawn = 0
-        for cell in self.drawn_cells():
-            figure = draw(cell)
-            if figure is not None:
-                section.blocks.append(figure)
-                drawn += 1
+        """A figure a cell, the first of them open; says what is left out, or why there is none."""
+        drawn = [(cell, figure) for cell in self.drawn_cells() if (figure := draw(cell)) is not None]
         if not drawn:
             section.say(f"*{nothing}*")
+        elif len(drawn) == 1:
+            section.blocks.append(drawn[0][1])
+        else:
+            section.blocks += [Fold(cell.title, figure, opened=i == 0) for i, (cell, figure) in enumerate(drawn)]
         left = len(self.results.cells) - self.most_cells
         if drawn and left > 0:
-            section.say(f"Drawn for the first {self.most_cells} sequences and variants; {left} more are in the "
-                        "tables (`--cells N` draws N).")
+            section.say(f"Sequences and variants without a figure: {left} of {len(self.results.cells)}; they are in the "
+                        "tables, and `--cells N` draws N.")

@@ -5,14 +5,15 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from matplotlib.lines import Line2D
 
-from . import style
+from . import panels, style
 from .context import Context
 from .figures import Figure
 from .page import Section
 
 COLUMNS = ["pairs", "rejected", "nodes", "leaves", "associate_ms"]
-HEADROOM = 30  # how far above what was measured the axis of leaves may reach for a curve's sake
+HEADROOM = 300  # how far above what was measured the axis of leaves may reach for a curve's sake
 
 
 def section(context: Context) -> Section:
@@ -20,7 +21,8 @@ def section(context: Context) -> Section:
     out.say("A *search* is a frame in which pairs were rejected, as in the first paper: n pairs, r of them rejected. "
             "The paper's curves are leaves of the search tree: eq. 14, 2ⁿ⁻ʳ, for JCBB without its bound, and eq. 15, "
             "n + n² + … + nʳ, for HOHCT, an upper bound of what removing up to r of n pairs can cost. All sequences, "
-            "variants and seeds are pooled.")
+            "variants and seeds are pooled. *Leaves* are the complete hypotheses that a strategy judged, *nodes* "
+            "the incomplete ones that it built on the way, as `frames.csv` counts them.")
     searches = {name: table for name in context.results.strategies if len(table := searches_of(context, name))}
     if not searches:
         out.say("*No frame had a rejected pair.*")
@@ -65,16 +67,18 @@ def draw_nodes(context: Context, searches: dict[str, pd.DataFrame]) -> Figure:
             points(context, axis, name, table, by, "nodes", hollow=True)
     n = np.linspace(everything["pairs"].min(), everything["pairs"].max(), 60)
     r = np.arange(1, int(everything["rejected"].max()) + 1)
-    most = HEADROOM * float(everything[["nodes", "leaves"]].max().max())
-    curve(axes[0], n, log_eq14(n, typical_r), f"eq. 14, r = {typical_r}", "--", most)
-    curve(axes[0], n, log_eq15(n, typical_r), f"eq. 15, r = {typical_r}", "-", most)
-    curve(axes[1], r, np.array([log_eq14(typical_n, k) for k in r]), f"eq. 14, n = {typical_n:.0f}", "--", most)
-    curve(axes[1], r, np.array([log_eq15(typical_n, k) for k in r]).ravel(), f"eq. 15, n = {typical_n:.0f}", "-", most)
-    axes[0].set(xlabel="pairs n", ylabel="nodes (hollow), leaves (filled) [1]", yscale="log", ylim=(0.8, most))
+    top = HEADROOM * float(everything[["nodes", "leaves"]].max().max())
+    curve(axes[0], n, log_eq14(n, typical_r), f"eq. 14, r = {typical_r}", "--", top)
+    curve(axes[0], n, log_eq15(n, typical_r), f"eq. 15, r = {typical_r}", "-", top)
+    curve(axes[1], r, np.array([log_eq14(typical_n, k) for k in r]), f"eq. 14, n = {typical_n:.0f}", "--", top)
+    curve(axes[1], r, np.array([log_eq15(typical_n, k) for k in r]).ravel(), f"eq. 15, n = {typical_n:.0f}", "-", top)
+    axes[0].set(xlabel="pairs n", ylabel="count: leaves filled, nodes hollow", yscale="log", ylim=(0.8, top))
     axes[1].set(xlabel="rejected pairs r")
     axes[1].xaxis.get_major_locator().set_params(integer=True)
     for axis in axes:
-        axis.legend(loc="best", fontsize=8)
+        axis.legend(loc="lower left", bbox_to_anchor=(0, 1), fontsize=8)
+    figure.legend(handles=[Line2D([], [], color=context.look.colour(name), marker=context.look.marker(name), ls="",
+                                  label=name) for name in searches], loc="outside lower center", ncols=5)
     return context.figures.save(figure, "nodes", nodes_caption(searches, typical_n, typical_r))
 
 
@@ -86,18 +90,20 @@ def points(context: Context, axis: plt.Axes, name: str, table: pd.DataFrame, by:
     colour = context.look.colour(name)
     spread = [values[0.5] - values[0.25], values[0.75] - values[0.5]]
     axis.errorbar(values.index, values[0.5], spread, fmt=context.look.marker(name), color=colour, ms=4.5,
-                  mfc="none" if hollow else colour, elinewidth=0.8, alpha=0.85, label=None if hollow else name)
+                  mfc="none" if hollow else colour, elinewidth=0.8, alpha=0.85, label=name if of == "associate_ms" else None)
 
 
-def curve(axis: plt.Axes, at: np.ndarray, log_value: np.ndarray, label: str, dashes: str, most: float) -> None:
-    shown = log_value <= math.log10(most) + 1
-    if not (log_value <= math.log10(most)).any():
+def curve(axis: plt.Axes, at: np.ndarray, log_value: np.ndarray, label: str, dashes: str, top: float) -> None:
+    shown = log_value <= math.log10(top) + 1
+    if not (log_value <= math.log10(top)).any():
         label += f": {power(log_value.min())} and more, above"
     axis.plot(at[shown], 10.0 ** log_value[shown], color=style.INK, lw=1.1, ls=dashes, label=label)
 
 
 def power(log_value: float) -> str:
-    """One or more in words that need no superscript: 5.6e14."""
+    """Without a superscript: 52, 5.6e14."""
+    if log_value < 5:
+        return f"{10 ** log_value:.0f}"
     exponent = math.floor(log_value)
     return f"{10 ** (log_value - exponent):.1f}e{exponent}"
 
@@ -118,6 +124,7 @@ def draw_time(context: Context, searches: dict[str, pd.DataFrame]) -> Figure:
     axes[0].set(xlabel="pairs n", ylabel="time of association [ms]", yscale="log")
     axes[1].set(xlabel="rejected pairs r")
     axes[1].xaxis.get_major_locator().set_params(integer=True)
+    panels.plain_log(axes[0].yaxis)
     figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
     means = ", ".join(f"{name} {t['associate_ms'].mean():.2f} ± {t['associate_ms'].std(ddof=0):.2f} ms"
                       for name, t in searches.items())

@@ -11,14 +11,14 @@ from .page import Section
 from .results import Cell
 
 COLUMNS = ["effective_beliefs", "belief_distance", "ancestor_age_frames"]
-LABELS = ["effective beliefs [1]", "spread of position [mm]", "common ancestor [frames]"]
+LABELS = ["effective [beliefs]", "spread [mm]", "ancestor [frames]"]
 FACTORS = [1, 1e3, 1]
 
 
 def section(context: Context) -> Section:
     out = Section("Diversity of particles")
     out.say("*Effective beliefs*: 1 / Σ w², the number of beliefs if all weights were equal; the grey line is how many "
-            "are carried. *Spread*: distance between their positions. *Common ancestor*: how many frames ago all "
+            "are carried. *Spread*: the largest distance between two of their positions. *Ancestor*: how many frames ago all "
             "beliefs were one; where it stays small, no hypothesis outlives a few frames.")
     context.add_figures(out, lambda cell: draw(context, cell), "No strategy carries several beliefs.")
     return out

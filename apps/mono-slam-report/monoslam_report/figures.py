@@ -11,6 +11,7 @@ import matplotlib.pyplot as plt
 from . import style
 
 OURS = re.compile(r"#[0-9a-f]{6}\b")
+LONG = re.compile(r"(\d\.\d\d)\d+")  # a hundredth of a point cannot be seen
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,7 @@ class FigureFolder:
             part = file.with_name(file.name + ".part")
             figure.savefig(part, format=kind, metadata=metadata, transparent=kind == "svg")
             os.replace(part, file)
+            figure.set_layout_engine("none")  # laid out once is enough
         plt.close(figure)
         drawing = self.path(f"{name}.svg")
         return Figure(inline(drawing.read_text(encoding="utf-8"), drawing.stem, caption), caption)
@@ -47,6 +49,7 @@ def inline(svg: str, prefix: str, label: str) -> str:
     element = re.sub(r'\sxmlns(:\w+)?="[^"]*"', "", element)
     element = re.sub(r'\bid="([^"]+)"', rf'id="{prefix}-\1"', element)
     element = re.sub(r'href="#([^"]+)"', rf'href="#{prefix}-\1"', element)
+    element = re.sub(r'\bd="[^"]*"', lambda path: LONG.sub(r"\1", path[0]), element)
     element = element.replace("url(#", f"url(#{prefix}-")
     named = {colour: f"var(--{name})" for name, (colour, _, _) in style.variables().items()}
     element = OURS.sub(lambda found: named.get(found[0], found[0]), element)

@@ -7,7 +7,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from .track import Track, track_of
+from .track import Track, track_from_errors, track_of
+
+UNUSED = {"state", "remark", "prepare_ms", "predict_ms", "search_ms", "update_ms", "map_ms", "decode_ms", "candidates",
+          "visible", "mean_nis", "residual_rms_px", "belief_angle_rad", "d2_evaluations", "proved", "capped"}  # memory
 
 
 @dataclass
@@ -49,10 +52,11 @@ class Job:
         if self.status != "done":
             return None
         try:
-            return track_of(self.folder, with_scale=not self.metric)
+            track = track_of(self.folder, with_scale=not self.metric)
         except ValueError as error:
             self._note("trajectory.tum", str(error))
-        return None
+            return None
+        return track_from_errors(self.errors) if track is None and self.errors is not None else track
 
     @property
     def start_s(self) -> float:
@@ -67,7 +71,7 @@ class Job:
                 self._note(name, "no such file")
             return None
         try:
-            table = pd.read_csv(file)
+            table = pd.read_csv(file, usecols=lambda column: column not in UNUSED)
         except (ValueError, OSError) as error:
             self._note(name, str(error).splitlines()[0])
             return None

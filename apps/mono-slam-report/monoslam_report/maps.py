@@ -12,13 +12,13 @@ from . import style
 from .context import Context
 from .figures import Figure
 from .job import Job
-from .page import Section
+from .page import Section, short
 from .results import Cell
 
 ENTRIES = ["P_x_x", "P_x_y", "P_x_z", "P_y_y", "P_y_z", "P_z_z"]
 RADIUS = math.sqrt(chi2.ppf(0.95, 2))
 MAGNIFICATIONS = [1, 3, 10, 30, 100, 300]
-WANTED = 0.02  # size of the median ellipse, as a share of the map's
+WANTED = 0.05  # size of the median ellipse, as a share of the map's
 
 
 def section(context: Context) -> Section:
@@ -40,7 +40,7 @@ def landmarks(job: Job) -> tuple[np.ndarray, np.ndarray] | None:
         return None
     points = table[["x_m", "y_m", "z_m"]].to_numpy(float)
     covariances = symmetric(table)
-    if job.track is None:
+    if job.track is None or job.track.rotation is None:
         return points, covariances
     turn = job.track.scale * job.track.rotation
     return points @ turn.T + job.track.shift, turn @ covariances @ turn.T
@@ -75,19 +75,22 @@ def draw(context: Context, cell: Cell) -> Figure | None:
     if not maps:
         return None
     times = magnification(maps)
-    columns = min(3, len(maps))
+    low, high = limits([points for points, _ in maps.values()])
+    columns = min(3 if high[0] - low[0] < 2 * (high[1] - low[1]) else 2, len(maps))
     rows = math.ceil(len(maps) / columns)
+    panel_in = min((style.WIDTH_IN - 0.8) / columns * (high[1] - low[1]) / (high[0] - low[0]), 5.0)
     figure, axes = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True,
-                                figsize=(style.WIDTH_IN, 0.5 + (1.1 + 5.2 / columns) * rows))
-    for axis in axes.flat[len(maps):]:
-        axis.remove()
+                                figsize=(style.WIDTH_IN, 0.5 + (panel_in + 0.35) * rows))
+    for i, axis in enumerate(axes.flat):
+        axis.tick_params(labelbottom=i + columns >= len(maps))
+        if i >= len(maps):
+            axis.remove()
     for axis, (name, (points, covariances)) in zip(axes.flat, maps.items()):
         draw_map(axis, points, covariances, times, context.look.colour(name))
         draw_path(axis, jobs[name][0])
-        axis.set(title=name, xlabel="x [m]", aspect="equal")
-    limit(axes.flat[0], [points for points, _ in maps.values()])
-    for row in axes:
-        row[0].set_ylabel("y [m]")
+        axis.set(title=name, aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    figure.supxlabel("x [m]", fontsize=9.5)
+    figure.supylabel("y [m]", fontsize=9.5)
     return context.figures.save(figure, f"map_{cell.name}", caption(cell, maps, times))
 
 
@@ -100,23 +103,24 @@ def draw_map(axis: plt.Axes, points: np.ndarray, covariances: np.ndarray, times:
 
 
 def draw_path(axis: plt.Axes, job: Job) -> None:
-    if job.track is not None:
+    if job.track is not None and job.track.rotation is not None:
         axis.plot(job.track.estimate[:, 0], job.track.estimate[:, 1], color=style.INK, lw=1, alpha=0.5)
 
 
-def limit(axis: plt.Axes, clouds: list[np.ndarray]) -> None:
-    """Landmarks far outside, of which the depth is hardly known, would shrink all others."""
+def limits(clouds: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Landmarks far outside, and maps of runs that went astray, would shrink all others."""
     points = np.concatenate(clouds)[:, :2]
-    low, high = np.quantile(points, [0.03, 0.97], axis=0)
-    low, high = np.maximum(points.min(axis=0), low - 0.4 * (high - low)), np.minimum(
-        points.max(axis=0), high + 0.4 * (high - low))
-    pad = 0.06 * float((high - low).max())
-    axis.set_xlim(low[0] - pad, high[0] + pad)
-    axis.set_ylim(low[1] - pad, high[1] + pad)
+    low, high = np.median([np.quantile(cloud[:, :2], [0.03, 0.97], axis=0) for cloud in clouds], axis=0)
+    reach = 0.4 * (high - low)
+    low, high = np.maximum(points.min(axis=0), low - reach), np.minimum(points.max(axis=0), high + reach)
+    size = max(float((high - low).max()), 1e-9)
+    margin = np.maximum(0.06 * size, 0.15 * size - (high - low) / 2)
+    return low - margin, high + margin
 
 
 def caption(cell: Cell, maps: dict, times: int) -> str:
-    sizes = ", ".join(f"{name} {len(points)} landmarks, median longest 95 % half-axis "
-                      f"{500 * np.median(ellipses(P)[0]):.2g} mm" for name, (points, P) in maps.items())
+    sizes = "; ".join(f"{name} {len(points)}, {short(500 * float(np.median(ellipses(P)[0])))} mm"
+                      for name, (points, P) in maps.items())
     drawn = "at their size" if times == 1 else f"{times} times their size"
-    return f"{cell.title}: {sizes}. Ellipses are drawn {drawn}; the dark line is the run's own path."
+    return (f"{cell.title}: number of landmarks and median longer half-axis: {sizes}. Ellipses are drawn {drawn}; the "
+            "dark line is the run's own path.")

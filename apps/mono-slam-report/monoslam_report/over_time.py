@@ -13,12 +13,13 @@ from .job import Job
 from .page import Section
 from .results import Cell
 
-COLUMNS = ["position error [mm]", "orientation error [deg]"]
+COLUMNS = ["position [mm]", "orientation [deg]"]
 
 
 def section(context: Context) -> Section:
     out = Section("Errors over time")
-    out.say("Line: median over the seeds. Dark band: quartiles. Light band: best and worst. Panels of a column share "
+    out.say("Errors of the causal pose of every frame: of its position after the alignment with the truth, of "
+            "its orientation after the rotation that fits all orientations best. Line: median over the seeds. Dark band: quartiles. Light band: best and worst. Panels of a column share "
             "their axes; the axis is logarithmic where strategies differ by more than a factor of "
             f"{panels.LOG_FROM}.")
     context.add_figures(out, lambda cell: draw(context, cell), "No run has ground truth.")
@@ -27,13 +28,7 @@ def section(context: Context) -> Section:
 
 def errors_of(job: Job) -> list[tuple[np.ndarray, np.ndarray]] | None:
     """Time since the first frame with position error [mm] and with orientation error [deg]."""
-    if job.frames is None:
-        return None
-    table = job.errors
-    if table is not None and {"position_error_m", "rotation_error_rad"} <= set(table):
-        t_s = table["t_s"] - job.start_s
-        return [(t_s, 1e3 * table["position_error_m"]), (t_s, np.degrees(table["rotation_error_rad"]))]
-    if job.track is None:
+    if job.frames is None or job.track is None:
         return None
     t_s = job.track.t_s - job.start_s
     return [(t_s, 1e3 * job.track.position_error_m), (t_s, job.track.rotation_error_deg)]
@@ -60,5 +55,5 @@ def caption(cell: Cell, runs: dict, bands: dict[str, list[pd.DataFrame]]) -> str
     at_end = {name: float(b[0]["median"].tail(10).median()) for name, b in bands.items() if b}
     best = min(at_end, key=lambda name: at_end[name] if math.isfinite(at_end[name]) else math.inf)
     counts = ", ".join(f"{name} {len(runs[name])}" for name in runs)
-    return (f"{cell.title}: error of the causal pose in every frame. Seeds drawn: {counts}. At the end the median "
+    return (f"{cell.title}: seeds drawn: {counts}. At the end the median "
             f"position error is smallest with {best}, {at_end[best]:.3g} mm.")

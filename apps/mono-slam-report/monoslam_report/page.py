@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sections of a report and the page made of them."""
+import math
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,10 +22,19 @@ class Table:
     caption: str = ""
 
 
+@dataclass(frozen=True)
+class Fold:
+    """A figure that the reader opens and closes, so that long reports stay short."""
+
+    title: str
+    figure: Figure
+    opened: bool
+
+
 @dataclass
 class Section:
     title: str
-    blocks: list[Markup | Table | Figure] = field(default_factory=list)
+    blocks: list[Markup | Table | Figure | Fold] = field(default_factory=list)
 
     @property
     def anchor(self) -> str:
@@ -42,7 +52,7 @@ def markup_of(text: str) -> Markup:
 def render(title: str, intro: str, facts: str, sections: list[Section]) -> str:
     environment = Environment(loader=FileSystemLoader(Path(__file__).parent), trim_blocks=True,
                               lstrip_blocks=True, autoescape=select_autoescape(default=True))
-    environment.tests.update(table=lambda block: isinstance(block, Table),
+    environment.tests.update(fold=lambda block: isinstance(block, Fold), table=lambda block: isinstance(block, Table),
                              figure=lambda block: isinstance(block, Figure))
     return environment.get_template(TEMPLATE).render(
         title=title, intro=markup_of(intro), facts=facts, sections=numbered(sections),
@@ -52,3 +62,13 @@ def render(title: str, intro: str, facts: str, sections: list[Section]) -> str:
 def numbered(sections: list[Section]) -> list[tuple[str, Section]]:
     """With anchors that differ even where titles do not."""
     return [(f"s{number}-{section.anchor}", section) for number, section in enumerate(sections, 1)]
+
+
+def short(number: float, digits: int = 3) -> str:
+    """So many digits, never in powers of ten for what fits a line."""
+    if math.isinf(number):
+        return "∞"
+    if number == 0 or 1e-3 <= abs(number) < 1e5:
+        decimals = max(0, digits - 1 - math.floor(math.log10(abs(number)))) if number else 0
+        return f"{number:.{decimals}f}" if number % 1 else f"{number:.0f}"
+    return f"{number:.{digits - 1}e}"

@@ -3,10 +3,11 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from matplotlib.ticker import LogFormatter
 
 from . import style
 
-ROW_IN = 1.45
+ROW_IN = 1.5
 LOG_FROM = 30  # where curves differ by more than this factor, a linear axis shows only the worst
 
 
@@ -22,6 +23,12 @@ def grid(strategies: list[str], columns: list[str], xlabel: str, sharey="col"):
     for axis in axes[-1]:
         axis.set_xlabel(xlabel)
     return figure, dict(zip(strategies, axes))
+
+
+def plain_log(axis) -> None:
+    """1, 20, 300 instead of powers of ten, which only help across many decades."""
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter(LogFormatter(minor_thresholds=(1.5, 0.5)))
 
 
 def draw_band(axis: plt.Axes, table: pd.DataFrame, colour: str, factor: float = 1.0) -> None:

@@ -36,7 +36,7 @@ def draw(context: Context, cell: Cell) -> Figure | None:
               for name in strategies}
     if not any(tables.values()):
         return None
-    figure, axes = panels.grid(strategies, ["pairs rejected [%]", "frames with any [%]"], "frame")
+    figure, axes = panels.grid(strategies, ["of the pairs [%]", "of the frames [%]"], "frame")
     totals = []
     for name, found in tables.items():
         if not found:

@@ -22,7 +22,7 @@ def draw(context: Context, cell: Cell, seeds: dict[str, dict[int, float]], label
         colour = context.look.colour(name)
         axis.plot(finite, row + offsets, context.look.marker(name), color=colour, ms=5, alpha=0.7, mew=0)
         if finite.size:
-            axis.plot([np.median(finite)] * 2, [row - 0.36, row + 0.36], color=style.INK, lw=2)
+            axis.plot([np.median(finite)] * 2, [row - 0.36, row + 0.36], color=style.INK, lw=2, zorder=1)
         if lost:
             axis.annotate(f"{lost} failed", (1, row), xycoords=("axes fraction", "data"), ha="right", va="center",
                           color=style.INK, fontsize=9)
@@ -32,6 +32,7 @@ def draw(context: Context, cell: Cell, seeds: dict[str, dict[int, float]], label
     every = np.array([v for found in seeds.values() for v in found.values() if math.isfinite(v) and v > 0])
     if every.size and every.max() > panels.LOG_FROM * every.min():
         axis.set_xscale("log")
+        panels.plain_log(axis.xaxis)
     elif every.size:
         axis.set_xlim(left=0)
     axis.grid(axis="y", visible=False)

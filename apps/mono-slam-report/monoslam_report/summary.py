@@ -6,11 +6,15 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from .context import Context
+from .figures import Figure
 from .job import Job
-from .page import Section, Table
+from .page import Section, Table, short
 from .results import Cell
 from .seed_dots import draw
 from .seeds import SignTest, Summary, sign_test, summary
+
+
+NONE = "–"
 
 
 @dataclass(frozen=True)
@@ -20,9 +24,10 @@ class Measure:
     column: str
     label: str
     is_error: bool = True  # a run that failed, or has none where others have one, lost
+    factor: float = 1.0
 
     def of(self, job: Job) -> float:
-        return job.figure(self.column.format(fit=fit_of(job)))
+        return self.factor * job.figure(self.column.format(fit=fit_of(job)))
 
 
 def fit_of(job: Job) -> str:
@@ -32,8 +37,8 @@ def fit_of(job: Job) -> str:
 POSITION = Measure("{fit}_ate_rmse_mm", "position error, rms [mm]")
 GAP = Measure("gap_pct", "closing gap [% of path]")
 MEASURES = [POSITION, Measure("rotation_own_rms_deg", "rotation error, rms [deg]"), GAP,
-            Measure("landmark_mean_m", "landmark error, mean [m]"),
-            Measure("landmark_median_m", "landmark error, median [m]"),
+            Measure("{fit}_landmark_mean_m", "landmark error, mean [mm]", factor=1e3),
+            Measure("{fit}_landmark_median_m", "landmark error, median [mm]", factor=1e3),
             Measure("frames_lost", "frames lost", is_error=False),
             Measure("time_median_ms", "time a frame, median [ms]", is_error=False),
             Measure("time_p995_ms", "time a frame, 99.5 % [ms]", is_error=False)]
@@ -53,6 +58,13 @@ def values(context: Context, cell: Cell, strategy: str, measure: Measure) -> dic
     return {job.seed: value(measure, job, known) for job in context.results.jobs_of(cell, strategy)}
 
 
+def dots(context: Context, cell: Cell, measure: Measure) -> Figure | None:
+    seeds = {name: values(context, cell, name, measure) for name in context.results.strategies_of(cell)}
+    if all(math.isnan(v) for found in seeds.values() for v in found.values()):
+        return None
+    return draw(context, cell, seeds, measure.label)
+
+
 def measures_of(context: Context) -> list[Measure]:
     return [m for m in MEASURES if any(not math.isnan(m.of(job)) for job in context.results.jobs)]
 
@@ -66,15 +78,17 @@ def section(context: Context) -> Section:
     out.blocks.append(table_of(context, measures))
     shown = POSITION if POSITION in measures else GAP
     if shown in measures:
-        for cell in context.drawn_cells():
-            seeds = {name: values(context, cell, name, shown) for name in context.results.strategies_of(cell)}
-            out.blocks.append(draw(context, cell, seeds, shown.label))
+        context.add_figures(out, lambda cell: dots(context, cell, shown), "No run has an error.")
     if len(context.results.strategies) > 1:
         out.say(f"### Against {context.reference}")
         out.say(f"Pairs of runs with the same seed: how often the strategy is better – worse than {context.reference} "
                 "(and equal, if ever), and p of the two-sided sign test. p is not corrected for the number of tests; "
                 "bold where it is below 0.05.")
-        out.blocks.append(tests_of(context, [m for m in measures if m.column != "frames_lost"]))
+        tests = tests_of(context, [m for m in measures if m.column != "frames_lost"])
+        if tests.rows:
+            out.blocks.append(tests)
+        else:
+            out.say("*No two runs with the same seed have ended.*")
     return out
 
 
@@ -94,21 +108,11 @@ def runs_of(jobs: list[Job]) -> str:
 
 def entry(s: Summary) -> Markup | str:
     if not s.n:
-        return "–"
-    if s.n == 1:
+        return NONE
+    if s.n == 1 or s.iqr == 0 and s.worst == s.median:
         return short(s.median)
-    return Markup("{}<small>{} … {}</small><small>worst {}</small>").format(
-        short(s.median), short(s.quartiles[0]), short(s.quartiles[1]), short(s.worst))
-
-
-def short(number: float) -> str:
-    """Three digits, never in powers of ten for what fits a line."""
-    if math.isinf(number):
-        return "∞"
-    if number == 0 or 1e-3 <= abs(number) < 1e5:
-        digits = 2 if number == 0 else max(0, 2 - math.floor(math.log10(abs(number))))
-        return f"{number:.{digits}f}" if number % 1 else f"{number:.0f}"
-    return f"{number:.2e}"
+    quartiles = "–".join(short(quartile, digits=2) for quartile in s.quartiles)
+    return Markup("{}<small>{}</small><small>worst {}</small>").format(short(s.median), quartiles, short(s.worst))
 
 
 def tests_of(context: Context, measures: list[Measure]) -> Table:
@@ -117,8 +121,9 @@ def tests_of(context: Context, measures: list[Measure]) -> Table:
         for name in context.results.strategies_of(cell):
             if name == context.reference:
                 continue
-            tests = [tested(context, cell, name, m) for m in measures]
-            rows.append([cell.title, name, *map(outcome, tests)])
+            outcomes = [outcome(tested(context, cell, name, m)) for m in measures]
+            if any(found != NONE for found in outcomes):
+                rows.append([cell.title, name, *outcomes])
     return Table(["sequence", "strategy", *(m.label for m in measures)], rows)
 
 
@@ -130,7 +135,7 @@ def tested(context: Context, cell: Cell, strategy: str, measure: Measure) -> Sig
 
 def outcome(test: SignTest) -> Markup | str:
     if not test.wins + test.losses + test.ties:
-        return "–"
+        return NONE
     ties = f" ({test.ties})" if test.ties else ""
     p = f"p = {test.p:.2g}" if test.p >= 1e-4 else "p < 0.0001"
     form = "{} – {}{}<small><b>{}</b></small>" if test.p < 0.05 else "{} – {}{}<small>{}</small>"

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Paths over the truth, from above and from the side."""
 import matplotlib.pyplot as plt
+import numpy as np
 
 from . import panels, style
 from .context import Context
 from .figures import Figure
 from .page import Section
 from .results import Cell
+from .track import Track
 
-VIEWS = [("from above", 0, 1), ("from the side", 0, 2)]
+VIEWS = [("from above: x, y", 0, 1), ("from the side: x, z", 0, 2)]
 AXES = "xyz"
 MOST_POINTS = 600
 
@@ -27,7 +29,8 @@ def draw(context: Context, cell: Cell) -> Figure | None:
     longest = max((t for row in tracks.values() for t in row), key=lambda t: len(t.truth), default=None)
     if longest is None:
         return None
-    figure, axes = plt.subplots(1, 2, figsize=(style.WIDTH_IN, 4.0))
+    low, high = limits([longest, *(t for row in tracks.values() for t in row)], longest.truth)
+    figure, axes = views(high - low)
     for axis, (view, i, j) in zip(axes, VIEWS):
         truth = panels.thinned(longest.truth, MOST_POINTS)
         axis.plot(truth[:, i], truth[:, j], color=style.INK, lw=4.5, alpha=0.3, label="truth")
@@ -37,21 +40,31 @@ def draw(context: Context, cell: Cell) -> Figure | None:
                 axis.plot(path[:, i], path[:, j], color=context.look.colour(name), lw=1.3, alpha=0.85,
                           ls=context.look.dashes(name), label=None if number else name)
         axis.plot(*truth[0, [i, j]], "o", color=style.INK, ms=5)
-        axis.set(title=view, xlabel=f"{AXES[i]} [m]", ylabel=f"{AXES[j]} [m]", aspect="equal")
-        axis.set_adjustable("datalim")
-    keep_outliers_out(axes, longest.truth)
+        axis.set(title=view, xlabel=f"{AXES[i]} [m]", ylabel=f"{AXES[j]} [m]", aspect="equal",
+                 xlim=(low[i], high[i]), ylim=(low[j], high[j]))
+        axis.locator_params(nbins=6)
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=min(6, len(labels)))
     return context.figures.save(figure, f"trajectory_{cell.name}", caption(cell, tracks))
 
 
-def keep_outliers_out(axes, truth) -> None:
-    """A run that flies away must not shrink the truth to a dot: at most three of its sizes are shown."""
-    size = max(float((truth.max(axis=0) - truth.min(axis=0)).max()), 1e-9)
-    for axis, (_, i, j) in zip(axes, VIEWS):
-        for column, limits, set_limits in ((i, axis.get_xlim(), axis.set_xlim), (j, axis.get_ylim(), axis.set_ylim)):
-            middle = (truth[:, column].max() + truth[:, column].min()) / 2
-            set_limits(max(limits[0], middle - 1.5 * size), min(limits[1], middle + 1.5 * size))
+def views(size: np.ndarray):
+    """Side by side, or one above the other where the path is much wider than high."""
+    wide = max(size[1], size[2]) < 0.5 * size[0]
+    width = style.WIDTH_IN if wide else style.WIDTH_IN / 2
+    heights = [(width - 1.1) * size[j] / size[0] + 0.8 for _, _, j in VIEWS]
+    height = 0.9 + (sum(heights) if wide else max(heights))
+    return plt.subplots(2 if wide else 1, 1 if wide else 2, figsize=(style.WIDTH_IN, min(height, 9.0)))
+
+
+def limits(tracks: list[Track], truth: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Of all paths; but one that flies away must not shrink the truth to a dot: three of its sizes at most."""
+    everything = np.concatenate([p for track in tracks for p in (track.truth, track.estimate)])
+    middle, size = (truth.max(axis=0) + truth.min(axis=0)) / 2, max(float(np.ptp(truth, axis=0).max()), 1e-9)
+    low = np.maximum(everything.min(axis=0), middle - 1.5 * size)
+    high = np.minimum(everything.max(axis=0), middle + 1.5 * size)
+    margin = np.maximum(0.06 * size, 0.1 * size - (high - low) / 2)  # flat paths have a height as well
+    return low - margin, high + margin
 
 
 def caption(cell: Cell, tracks: dict) -> str:
