@@ -23,6 +23,7 @@ class Sequence:
     settings: dict
     depth: Path | None = None
     frames: int = 0  # 0: all
+    length: int = 0  # all frames, where it is known
 
 
 @dataclasses.dataclass
@@ -36,11 +37,15 @@ class Batch:
     seeds: int
     jobs: int | None = None  # None: as many as the call says
 
+    def cells(self):
+        """(strategy, variant, sequence, configuration) of all runs, which differ in their seeds beside."""
+        return [(strategy, variant, sequence, configuration)
+                for variant, (_, only) in self.variants.items() for strategy in ([only] if only else self.strategies)
+                for sequence in self.sequences for configuration in self.configurations]
+
     @property
     def runs(self):
-        pairs = sum(len(self.strategies) if strategy is None else 1
-                    for _, strategy in self.variants.values())
-        return len(self.sequences) * len(self.configurations) * pairs * self.seeds
+        return len(self.cells()) * self.seeds
 
     def ini(self):
         lines = ["[batch]", f"output = {self.name}", f"strategies = {' '.join(self.strategies)}",

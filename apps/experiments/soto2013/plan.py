@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which runs are made: batches at full size and in the quick form, and what they will cost."""
+"""Which runs are made: batches at full size and in the quick form."""
 from dataclasses import dataclass
 
 import worlds
@@ -75,24 +75,3 @@ def batches(office, disturbed, small, size):
     for batch in rates:
         batch.jobs = 1  # a time is told only of a core that nothing of ours shares
     return found + rates
-
-
-def probe(office, size):
-    """The start of the sequence, to measure what a frame costs."""
-    start = worlds.Sequence("probe", office.rawlog, office.truth, dict(office.settings), None, size.probe_frames)
-    return [table_batch("probe", [start], size, 1), capped_batch("probe-capped", [start], size, 1)]
-
-
-def estimate_s(probes, wanted, size, jobs):
-    """Measured seconds a frame of every strategy, variant and configuration, times the frames of all runs."""
-    cost = {(r.strategy, r.variant, r.configuration): r.time_wall_s / size.probe_frames for r in probes.itertuples()}
-    total = 0.0
-    for batch in wanted:
-        for sequence in batch.sequences:
-            for configuration in batch.configurations:
-                for variant, (settings, strategy) in batch.variants.items():
-                    for s in [strategy] if strategy else batch.strategies:
-                        known = cost.get((s, variant, configuration), cost[(s, PLAIN, configuration)])
-                        particles = settings.get("association.mhda.particles", 2) / 2
-                        total += known * max(particles, 1) * sequence.frames * batch.seeds / (batch.jobs or jobs)
-    return total

@@ -9,6 +9,7 @@ import pandas as pd
 from batches import ROOT, Sequence
 from plan import table_batch
 from tables import keys_in, label_of, median, short
+from worlds import images
 
 sys.path.insert(0, str(ROOT / "apps" / "experiments" / "common"))
 import sequences as known  # noqa: E402
@@ -34,7 +35,8 @@ def batch(datasets, output, size):
         truth = datasets / name / "groundtruth.txt"
         pairs = dict(setting.split("=", 1) for setting in settings)
         pairs["camera.readout_s"] = known.readout_s(name, place)
-        found.append(Sequence(name, rawlog, truth if truth.is_file() else None, pairs))
+        found.append(Sequence(name, rawlog, truth if truth.is_file() else None, pairs,
+                              length=len(images(datasets / name))))
     return table_batch("real", found, size, size.real_seeds)
 
 

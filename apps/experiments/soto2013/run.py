@@ -12,6 +12,7 @@ import pandas as pd
 import batches
 import chapters
 import claims
+import estimate
 import plan
 import quantities
 import real
@@ -56,9 +57,9 @@ def announce(wanted, office, size, args):
     count = sum(batch.runs for batch in wanted)
     print(f"{count} runs in {len(wanted)} batches, {args.jobs} at a time", flush=True)
     if size.probe_frames:
-        probes = pd.concat([batches.run(b, args.output, args.jobs) for b in plan.probe(office[0], size)])
-        seconds = plan.estimate_s(probes, wanted, size, args.jobs)
-        print(f"estimate: {seconds / 60:.0f} min, by {size.probe_frames} frames of every method", flush=True)
+        cost = estimate.measure(office[0], size, args.output, args.jobs)
+        minutes = estimate.seconds(*cost, wanted, args.jobs) / 60
+        print(f"estimate: {minutes:.0f} min on free cores, by {size.probe_frames} frames of every method", flush=True)
 
 
 def measured_runs(wanted, args):
