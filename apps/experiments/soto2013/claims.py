@@ -10,11 +10,12 @@ import sweeps
 from methods import BY_KEY, METHODS, MHDA, MRPT
 from tables import SIGNIFICANT, keys_in, label_of, median, paired, short
 
-HOLDS, PARTLY, FAILS = "holds", "holds in part", "does not hold"
+HOLDS, PARTLY, FAILS, OPEN = "holds", "holds in part", "does not hold", "not decided"
 SEVEN = [method.key for method in METHODS if method.paper]
 SIMILAR = 1.5  # largest ratio of two errors that are called similar
 MORE_OFTEN = 2.0  # rejected in one depth third over another that is called a bias
 MOST = 0.5
+ALIKE = 0.5  # least rank correlation of two orders that are called alike
 
 
 class Claim(NamedTuple):
@@ -52,7 +53,7 @@ def best_position(cells):
     tests = {key: paired(cells.paper, key, MHDA, "position_m") for key in values if key != MHDA}
     better = [key for key, test in tests.items() if test.p < SIGNIFICANT and test.wins > test.losses]
     worse = [key for key, test in tests.items() if test.p < SIGNIFICANT and test.wins < test.losses]
-    verdict = HOLDS if cells.rank(MHDA, "position_m") == 1 else FAILS if better else PARTLY
+    verdict = HOLDS if cells.rank(MHDA, "position_m") == 1 else FAILS if better else OPEN
     return Claim("MHDA with two particles has the least position error", verdict,
                  f"Medians: {named(values)}. By sign tests over the seeds (p < {SIGNIFICANT}) better than MHDA: "
                  f"{', '.join(map(label_of, better)) or 'none'}; worse: {', '.join(map(label_of, worse)) or 'none'}. "
@@ -146,7 +147,7 @@ def recovers(judged):
 def two_particles(points):
     own = points[points.sequence == points.sequence.iloc[0]].set_index("value")
     if 2 not in own.index or len(own) < 3:
-        return Claim("Two particles are enough", "not decided", "Too few values of P were run.")
+        return Claim("Two particles are enough", OPEN, "Too few values of P were run.")
     best = own.position_mm.idxmin()
     verdict = HOLDS if own.position_mm[2] <= SIMILAR * own.position_mm.min() else FAILS
     return Claim("Two particles are enough", verdict,
@@ -159,10 +160,16 @@ def two_particles(points):
 def order(cells):
     values = cells.values("position_m")
     test = spearmanr([BY_KEY[key].paper.position_m for key in values], list(values.values()))
-    verdict = HOLDS if test.pvalue < SIGNIFICANT and test.statistic > 0 else PARTLY if test.statistic > 0 else FAILS
+    alike = test.statistic > ALIKE
+    verdict = HOLDS if alike and test.pvalue < SIGNIFICANT else PARTLY if alike else FAILS
     return Claim("The order of the seven methods by position error", verdict,
                  f"Rank correlation with the paper's: {test.statistic:.2f} (Spearman, p {test.pvalue:.2g}).")
 
 
 def table(claims):
-    return pd.DataFrame([{"claim of the paper": c.claim, "verdict": c.verdict, "what decides it": c.why} for c in claims])
+    return pd.DataFrame([{"claim of the paper": c.claim, "verdict": c.verdict} for c in claims])
+
+
+def reasons(claims):
+    """What decides each of them, as a Markdown list."""
+    return "\n".join(f"- **{c.claim}: {c.verdict}.** {c.why}" for c in claims)

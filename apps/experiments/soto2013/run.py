@@ -92,7 +92,7 @@ def report(runs, size, sequences, folders, output):
     chapters.write_real(document, runs, size)
     found = chapters.verdicts(cells, judged["paper"], pairs, sweeps.points(runs, "particles"), rates)
     document.add("Does it hold?", "Decided by the numbers below, with the paper's settings and its number of frames "
-                 "unless something else is said.", claims.table(found), "claims")
+                 f"unless something else is said.\n\n{claims.reasons(found)}", claims.table(found), "claims")
     document.sections[0] = document.sections.pop()
     failed = int((runs.status == "failed").sum())
     document.write(f"This report is of {len(runs)} runs, {failed} of which failed; they took "
