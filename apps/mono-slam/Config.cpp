@@ -55,6 +55,7 @@ OutputOptions OutputOptions::from(ConfigSection section)
     o.directory = section.get("directory", o.directory);
     o.pictures = section.get("pictures", o.pictures);
     o.picture_every_nth = section.get("picture_every_nth", o.picture_every_nth, {1, 1e6});
+    o.associations = section.get("associations", o.associations);
     section.rejectUnknownKeys();
     return o;
 }

@@ -21,6 +21,7 @@ struct OutputOptions
     std::string directory = "mono-slam-out";
     bool pictures = false;
     int picture_every_nth = 1;
+    bool associations = false;
 
     static OutputOptions from(ConfigSection section);
 };

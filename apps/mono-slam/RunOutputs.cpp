@@ -56,6 +56,7 @@ RunOutputs::RunOutputs(const Config& config, const Arguments& arguments, const R
     facts_.notes = reader.gaps();
     if (!reader.damage().empty()) facts_.notes.push_back(reader.damage());
     frames_ = std::make_unique<FrameWriters>(folder_);
+    if (options_.associations) associations_ = std::make_unique<AssociationCsv>(folder_);
     if (!arguments.robotPath.empty())
         robotPath_ = std::make_unique<OutputFile>(arguments.robotPath);
     if (!reader.groundTruth().empty()) writeTruth(reader.groundTruth());
@@ -73,6 +74,7 @@ void RunOutputs::add(const Frame& frame, const FrameReport& report, const MonoSl
                      double decode_ms)
 {
     frames_->write(report, decode_ms);
+    if (associations_) associations_->write(report);
     summary_.add(report, decode_ms);
     lastRemark_ = report.remark;
     if (report.hasPose())

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "AssociationCsv.h"
 #include "Config.h"
 #include "monoslam_slam/RunSummary.h"
 #include "monoslam_slam/writers.h"
@@ -34,6 +35,7 @@ class RunOutputs
     RunFacts facts_;
     RunSummary summary_;
     std::unique_ptr<FrameWriters> frames_;
+    std::unique_ptr<AssociationCsv> associations_;  ///< only if asked for
     std::unique_ptr<OutputFile> robotPath_;
     mrpt::poses::CPose3D cameraPose_;  ///< on the vehicle
     std::vector<Vector7d> path_;

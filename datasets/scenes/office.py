@@ -11,6 +11,7 @@ from sequence import Box, Camera, Sequence, ease, pose_rows
 CAMERA = Camera(640, 480, 481.2, 480.0, 319.5, 239.5)
 RATE_HZ, FRAMES, FRAMES_MOVED = 30.0, 600, 200
 MOVED_FROM, MOVED_TO = 100, 112
+QUICK_FRAMES, QUICK_MOVED_FROM, QUICK_MOVED_TO = 40, 16, 22
 MOVED_BY_M = np.array([0.055, -0.015, 0.0])
 
 
@@ -40,22 +41,24 @@ def path():
 
 
 def carton(frame, moved):
-    """The carton that the camera faces."""
-    shift = float(ease((frame - MOVED_FROM) / (MOVED_TO - MOVED_FROM))) * MOVED_BY_M if moved else np.zeros(3)
+    """The carton that the camera faces; moved: frames from and to, or nothing."""
+    shift = float(ease((frame - moved[0]) / (moved[1] - moved[0]))) * MOVED_BY_M if moved else np.zeros(3)
     return [Box(tuple(np.array([0.19, 0.33, 0.0]) + shift), (0.22, 0.14, 0.16), -6.0, ("cover4", "parcel", "parcel"))]
 
 
 def sequences(quick):
-    camera, frames = (CAMERA.half(), 40) if quick else (CAMERA, FRAMES)
+    camera = CAMERA.half() if quick else CAMERA
+    frames, frames_moved = (QUICK_FRAMES, QUICK_FRAMES) if quick else (FRAMES, FRAMES_MOVED)
+    when = (QUICK_MOVED_FROM, QUICK_MOVED_TO) if quick else (MOVED_FROM, MOVED_TO)
     poses = path()
     keys = [{"name": name, "kind": "repeated", "from_frame": 0} for name in ("keyboard", "telephone", "checker floor")]
 
     def made(name, count, moved):
         objects = [{**o, "to_frame": count - 1} for o in keys]
         if moved:
-            objects.append({"name": "carton", "kind": "moved", "from_frame": MOVED_FROM, "to_frame": MOVED_TO})
+            objects.append({"name": "carton", "kind": "moved", "from_frame": moved[0], "to_frame": moved[1]})
         return Sequence(
             name, "office.pov", camera, poses[:count], 1, 2, lambda frame: carton(frame, moved), objects=objects
         )
 
-    return [made("office", frames, False)] + ([] if quick else [made("office_moved", FRAMES_MOVED, True)])
+    return [made("office", frames, None), made("office_moved", frames_moved, when)]

@@ -25,7 +25,7 @@ while read -r line; do
     grep -qxF "$line" <(sha256sum "$work"/worlds/*/gray/*.jpg; stat -c '%n %Y' "$work"/worlds/*/gray/*.jpg) || fail "rendered twice: $line"
 done <<<"$before"
 
-for sequence in "lab_uturn_1 90 9" "lab_turn_1 90 9" "office 40 40"; do
+for sequence in "lab_uturn_1 90 9" "lab_turn_1 90 9" "office 40 40" "office_moved 40 40"; do
     read -r name images depths <<<"$sequence"
     [[ $(find "$work/worlds/$name/gray" -name '*.jpg' | wc -l) == "$images" ]] || fail "$name: not $images pictures"
     [[ $(find "$work/worlds/$name/depth" -name '*.png' | wc -l) == "$depths" ]] || fail "$name: not $depths depth pictures"

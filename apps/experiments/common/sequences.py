@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), *[os.pardir] * 3))
+DATASETS = os.environ.get("MONOSLAM_DATASETS", os.path.join(ROOT, os.pardir, "shared", "datasets"))
 BOARD = ["metric_start.method=chessboard", "metric_start.chessboard_inner_corners=9 6",
          "metric_start.chessboard_square_m=0.04"]
 # name: (alignment, must [mm], must [deg], settings)
@@ -19,7 +20,7 @@ SEQUENCES = {
 
 
 def program(name):
-    return os.path.join(ROOT, "build", "release", "bin", name)
+    return os.path.join(os.environ.get("MONOSLAM_PROGRAMS", os.path.join(ROOT, "build", "release", "bin")), name)
 
 
 def call(*command):
@@ -33,8 +34,7 @@ def settings_as_arguments(settings):
 
 
 def add_arguments(parser, output):
-    parser.add_argument("--datasets", default=os.environ.get(
-        "MONOSLAM_DATASETS", os.path.join(ROOT, os.pardir, "shared", "datasets")))
+    parser.add_argument("--datasets", default=DATASETS)
     parser.add_argument("--output", default=os.path.join(ROOT, "build", output))
     parser.add_argument("--jobs", type=int, default=2)
 

@@ -89,7 +89,7 @@ bool isOurs(const std::string& fileName)
 {
     static const std::regex ours(
         "trajectory\\.tum|robot_path\\.tum|groundtruth\\.tum|covariance\\.csv|frames\\.csv|"
-        "map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|top_view\\.png|"
+        "associations\\.csv|map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|top_view\\.png|"
         "frame_[0-9]+\\.(png|jpg)|association_[0-9]+\\.json");
     return std::regex_match(fileName, ours);
 }
