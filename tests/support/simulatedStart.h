@@ -26,6 +26,7 @@ struct SimulatedStartOptions
     Guess guess = Guess::Right;
     bool metric = false;  ///< the first landmarks are known points
     int known = 6;
+    double knownTurn_rad = 0.0;  ///< by which the filter has turned them about the first camera
     double sigma_px = 0.3;
     double wildShare = 0.0;             ///< of the pixels after the first frame, which are anywhere
     Fate fate = Fate::Matched;          ///< of every pixel
@@ -115,11 +116,12 @@ class SimulatedStart
         points_.push_back(uniform(rng_, 0.7, 2.0) * ray);
         LandmarkRecord record;
         record.born.uv_px = measured(id, 0);
-        record.known = options_.metric && id < options_.known;
+        if (options_.metric && id < options_.known) record.known = point(id);
         records_[id] = record;
         if (record.known)
-            belief_ =
-                addPoint(std::move(belief_), id, point(id), 1e-8 * Eigen::Matrix3d::Identity());
+            belief_ = addPoint(std::move(belief_), id,
+                               rotate(quaternionExp({0.0, options_.knownTurn_rad, 0.0}), point(id)),
+                               1e-8 * Eigen::Matrix3d::Identity());
         else
             belief_ = *addUndelayed(std::move(belief_), camera_, id, record.born.uv_px,
                                     {guessedRho(id), 0.3, options_.sigma_px});

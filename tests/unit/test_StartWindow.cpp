@@ -72,6 +72,21 @@ TEST(StartWindow, SetsAMirroredStartRight)
     }
 }
 
+/** With small parallax a wrong structure may explain as many pixels as are asked for. */
+TEST(StartWindow, ComparesWithOtherStructuresEvenIfTheGuessExplainsThePixels)
+{
+    SimulatedStartOptions options;
+    options.guess = Guess::Mirrored;
+    options.start.good_inlier_ratio = 0.0;
+    for (unsigned seed = 1; seed <= 5; ++seed)
+    {
+        SimulatedStart start(options, seed);
+        const auto refined = start.run();
+        ASSERT_TRUE(refined) << seed;
+        EXPECT_GT(refined->belief.x(0), 0.0) << seed;  // the guess went to the left
+    }
+}
+
 TEST(StartWindow, KnowsHowWellItKnowsPoseAndVelocity)
 {
     constexpr int kRuns = 50;
@@ -123,6 +138,20 @@ TEST(StartWindow, KnownPointsGiveTheScale)
                       LandmarkKind::Point);
         }
     }
+}
+
+/** What the filter has made of them must not define the world. */
+TEST(StartWindow, KnownPointsAreWhereTheyAreKnownToBe)
+{
+    SimulatedStartOptions options;
+    options.metric = true;
+    options.knownTurn_rad = 0.02;
+    SimulatedStart start(options, 4);
+    const auto refined = start.run();
+    ASSERT_TRUE(refined);
+    const auto error = errorOf(refined->belief, start.frame(), 1.0);
+    EXPECT_LT(error.head<3>().norm(), 0.01);
+    EXPECT_LT(error.segment<3>(3).norm(), 0.005);
 }
 
 TEST(StartWindow, LeavesTheBeliefWhereNothingExplainsThePixels)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "iteratedUpdate.h"
 
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
 #include "ConditionalPrediction.h"
 #include "relinearize.h"
 
@@ -8,27 +12,56 @@ namespace monoslam
 {
 namespace
 {
-/** Movement in the image, from where the projection was linearised to the posterior, below which
- *  its bend does not matter [px]: a turn by c pixels bends it by about c^2 / 1000. */
-constexpr double kLinearEnough_px = 5.0;
+/** Error of the linear projection at the posterior, in standard deviations of the pixel's noise, below
+ *  which it does not matter. */
+constexpr double kLinearEnough_sigmas = 3.0;
+
+/** A prediction of the prior, the pixels on its rows, and the posterior that they give. */
+struct Linearization
+{
+    Prediction prediction;
+    std::vector<PixelMeasurement> pixels;
+    Belief posterior;
+};
+
+/** How far the projection is from its linearisation at the posterior, for the worst pixel: the image
+ *  bends with a turn, and a parallax is the product of two unknowns, movement and depth. */
+double error_sigmas(const Linearization& linearized, const Belief& prior, const FrameView& view)
+{
+    const Eigen::VectorXd& x = linearized.posterior.x;
+    const Eigen::VectorXd step = x - prior.x;
+    double worst = 0.0;
+    for (const PixelMeasurement& pixel : linearized.pixels)
+    {
+        const auto& row = linearized.prediction.rows[static_cast<std::size_t>(pixel.row)];
+        const auto slot = static_cast<std::size_t>(prior.find(row.id));
+        const auto seen = view.linearize(x, prior.landmarks[slot]);
+        if (!seen) continue;
+        const Eigen::Vector2d e = seen->h - row.h - row.H_v * step.head<camera_state::kSize>() -
+                                  row.H_y.leftCols(row.size) * step.segment(row.offset, row.size);
+        worst = std::max(worst, e.dot(pixel.R.inverse() * e));
+    }
+    return std::sqrt(worst);
+}
 }  // namespace
 
 Belief iteratedUpdate(const LinearizedPrior& from, const std::vector<PixelMeasurement>& pixels,
                       const FrameView& view, int maxIterations, int& faults)
 {
-    Belief posterior = view.engine.update(from.prior, from.prediction, pixels, &faults);
-    Eigen::VectorXd linearizedAt = from.at.size() > 0 ? from.at : from.prior.x;
-    for (int iteration = 2; iteration < maxIterations; ++iteration)
+    Linearization now{from.prediction, pixels,
+                      view.engine.update(from.prior, from.prediction, pixels, &faults)};
+    const int made = from.at.size() > 0 ? 2 : 1;
+    for (int n = made; n < maxIterations; ++n)
     {
-        const Eigen::VectorXd step = posterior.x - linearizedAt;
-        if (largestShift_px(from.prediction, pixels, step) < kLinearEnough_px) break;
-        const Prediction again = predictAt(view, from.prior, posterior.x);
-        const auto moved = onRowsOf(again, from.prediction, pixels);
-        if (moved.size() < pixels.size()) break;  // a landmark left the image: keep what we have
-        linearizedAt = posterior.x;
-        posterior = view.engine.update(from.prior, again, moved, &faults);
+        if (error_sigmas(now, from.prior, view) < kLinearEnough_sigmas) break;
+        Linearization next;
+        next.prediction = predictAt(view, from.prior, now.posterior.x);
+        next.pixels = onRowsOf(next.prediction, now.prediction, now.pixels);
+        if (next.pixels.size() < pixels.size()) break;  // a landmark left the image
+        next.posterior = view.engine.update(from.prior, next.prediction, next.pixels, &faults);
+        now = std::move(next);
     }
-    return posterior;
+    return std::move(now.posterior);
 }
 
 bool updatable(const Prediction& prediction, std::vector<PixelMeasurement> pixels, double& d2)

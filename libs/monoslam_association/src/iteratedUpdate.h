@@ -16,8 +16,9 @@ struct LinearizedPrior
     Eigen::VectorXd at;  ///< empty: the prior's mean
 };
 
-/** EKF update, iterated while the projection bends between prior and posterior, at most
- *  \p maxIterations linearisations in all. \throw std::runtime_error if S stays indefinite */
+/** EKF update, iterated until the projection agrees with its linearisation at the posterior to within
+ *  the pixels' noise, at most \p maxIterations linearisations in all.
+ *  \throw std::runtime_error if S stays indefinite */
 [[nodiscard]] Belief iteratedUpdate(const LinearizedPrior& from,
                                     const std::vector<PixelMeasurement>& pixels,
                                     const FrameView& view, int maxIterations, int& faults);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "relinearize.h"
 
-#include <algorithm>
-
 namespace monoslam
 {
 Prediction predictAt(const FrameView& view, Belief& prior, Eigen::VectorXd x)
@@ -38,19 +36,5 @@ std::vector<PixelMeasurement> onRowsOf(const Prediction& to, const Prediction& f
         moved.push_back(pixel);
     }
     return moved;
-}
-
-double largestShift_px(const Prediction& prediction, const std::vector<PixelMeasurement>& pixels,
-                       const Eigen::VectorXd& d)
-{
-    double largest = 0.0;
-    for (const PixelMeasurement& pixel : pixels)
-    {
-        const auto& row = prediction.rows[static_cast<std::size_t>(pixel.row)];
-        const Eigen::Vector2d shift = row.H_v * d.head<camera_state::kSize>() +
-                                      row.H_y.leftCols(row.size) * d.segment(row.offset, row.size);
-        largest = std::max(largest, shift.norm());
-    }
-    return largest;
 }
 }  // namespace monoslam

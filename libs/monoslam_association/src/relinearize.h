@@ -19,9 +19,4 @@ namespace monoslam
 /** The same pixels as measurements of another prediction's rows, landmark by landmark. */
 [[nodiscard]] std::vector<PixelMeasurement> onRowsOf(const Prediction& to, const Prediction& from,
                                                      const std::vector<PixelMeasurement>& pixels);
-
-/** How far the measured landmarks move in the image between two states [px], the farthest. */
-[[nodiscard]] double largestShift_px(const Prediction& prediction,
-                                     const std::vector<PixelMeasurement>& pixels,
-                                     const Eigen::VectorXd& d);
 }  // namespace monoslam

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "monoslam_filter/Belief.h"
@@ -25,9 +26,9 @@ using TrackRecords = std::map<LandmarkId, TrackRecord>;
 struct LandmarkRecord : TrackRecord
 {
     Appearance born;
-    long bornFrame = 0;         ///< of its appearance
-    double variance_px2 = 0.0;  ///< of its matches beyond the alignment's own, per axis
-    bool known = false;         ///< a point of the metric target
+    long bornFrame = 0;                    ///< of its appearance
+    double variance_px2 = 0.0;             ///< of its matches beyond the alignment's own, per axis
+    std::optional<Eigen::Vector3d> known;  ///< where a point of the metric target is [m]
 };
 
 using LandmarkRecords = std::map<LandmarkId, LandmarkRecord>;

@@ -21,6 +21,7 @@ constexpr int kLeastLandmarks = 8;
 constexpr long kLeastSeenLast = 15;  ///< landmarks that hold the last view in the new map
 constexpr std::size_t kLeastViews = 4;
 constexpr std::size_t kFirstLook = 8;
+constexpr std::size_t kAmbiguousThresholds = 2;  ///< of the parallax, the first ones
 
 double inlierRatio(const SmoothedWindow& smoothed)
 {
@@ -89,30 +90,31 @@ double StartWindow::medianParallax_rad(const Belief& belief) const
     return *middle;
 }
 
-bool StartWindow::due(const Belief& belief) const
+StartWindow::Look StartWindow::due(double parallax_deg) const
 {
-    const double parallax_deg = medianParallax_rad(belief) / kDegree;
-    if (parallax_deg >= options_.parallax_deg[nextThreshold_]) return true;
+    if (parallax_deg >= options_.parallax_deg[nextThreshold_]) return Look::ForEstimate;
     // A wrong structure may hide its parallax: look again when the window has doubled.
-    return parallax_deg >= 0.5 * options_.parallax_deg.front() &&
-           views_.size() >= 2 * std::max<std::size_t>(lastRefined_, kFirstLook);
+    if (views_.size() < 2 * std::max<std::size_t>(lastLook_, kFirstLook)) return Look::Not;
+    const bool some = parallax_deg >= 0.5 * options_.parallax_deg.front();
+    return some ? Look::ForEstimate : Look::ForOther;
 }
 
-void StartWindow::passThresholds(const Belief& belief)
+void StartWindow::passThresholds(double parallax_deg)
 {
-    const double parallax_deg = medianParallax_rad(belief) / kDegree;
     while (nextThreshold_ < options_.parallax_deg.size() &&
            parallax_deg >= options_.parallax_deg[nextThreshold_])
         ++nextThreshold_;
     open_ = nextThreshold_ < options_.parallax_deg.size();
-    lastRefined_ = views_.size();
+    lastLook_ = views_.size();
 }
 
-/** The best of several estimates; others than the filter's guess are tried only if that fits badly. */
-SmoothedWindow StartWindow::smooth(const Window& window) const
+/** The best of several estimates. Others than the filter's guess are tried as long as the parallax is
+ *  small, where a wrong structure can explain nearly all pixels, and later if that guess fits badly. */
+SmoothedWindow StartWindow::smooth(const Window& window, bool& ownGuess) const
 {
     SmoothedWindow found = smoothWindow(camera_, window);
-    if (found.usable && inlierRatio(found) >= options_.good_inlier_ratio) return found;
+    const bool fits = found.usable && inlierRatio(found) >= options_.good_inlier_ratio;
+    if (fits && nextThreshold_ > kAmbiguousThresholds) return found;
     std::vector<Window> others{flatGuess(window)};
     if (auto twoView = twoViewGuess(window, camera_)) others.push_back(std::move(*twoView));
     WindowOptions trial;
@@ -126,6 +128,7 @@ SmoothedWindow StartWindow::smooth(const Window& window) const
             other.poses = std::move(rival.poses);
             other.landmarks = std::move(rival.landmarks);
             found = smoothWindow(camera_, other);
+            ownGuess = false;
         }
     }
     return found;
@@ -141,8 +144,10 @@ std::optional<RefinedStart> StartWindow::refine(const Belief& belief,
         open_ = false;
         return std::nullopt;
     }
-    if (!due(belief)) return std::nullopt;
-    passThresholds(belief);
+    const double parallax_deg = medianParallax_rad(belief) / kDegree;
+    const Look look = due(parallax_deg);
+    if (look == Look::Not) return std::nullopt;
+    passThresholds(parallax_deg);
 
     const std::vector<std::size_t> chosen = selectViews(views_.size(), options_.views);
     std::vector<const StartView*> views;
@@ -150,7 +155,9 @@ std::optional<RefinedStart> StartWindow::refine(const Belief& belief,
     StartWindowProblem problem = startWindowProblem(views, belief, records, options_, metric_);
     if (static_cast<int>(problem.ids.size()) < kLeastLandmarks) return std::nullopt;
     WindowEstimate estimate;
-    estimate.smoothed = smooth(problem.window);
+    bool ownGuess = true;
+    estimate.smoothed = smooth(problem.window, ownGuess);
+    if (look == Look::ForOther && ownGuess) return std::nullopt;
     const SmoothedWindow& smoothed = estimate.smoothed;
     lastInlierRatio_ = smoothed.usable ? inlierRatio(smoothed) : 0.0;
     if (!smoothed.usable || lastInlierRatio_ < options_.accept_inlier_ratio) return std::nullopt;

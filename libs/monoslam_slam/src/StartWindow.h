@@ -51,10 +51,17 @@ class StartWindow
     [[nodiscard]] double lastInlierRatio() const { return lastInlierRatio_; }
 
    private:
+    enum class Look
+    {
+        Not,
+        ForEstimate,
+        ForOther,  ///< only whether another structure explains the pixels clearly better
+    };
     [[nodiscard]] double medianParallax_rad(const Belief& belief) const;
-    [[nodiscard]] bool due(const Belief& belief) const;
-    void passThresholds(const Belief& belief);
-    [[nodiscard]] SmoothedWindow smooth(const Window& window) const;
+    [[nodiscard]] Look due(double parallax_deg) const;
+    void passThresholds(double parallax_deg);
+    /** \param ownGuess  set to false if another guess than the window's has won */
+    [[nodiscard]] SmoothedWindow smooth(const Window& window, bool& ownGuess) const;
 
     StartOptions options_;
     const Camera& camera_;
@@ -62,7 +69,7 @@ class StartWindow
     bool open_ = true;
     std::size_t nextThreshold_ = 0;
     std::vector<StartView> views_;
-    std::size_t lastRefined_ = 0;
+    std::size_t lastLook_ = 0;
     double lastInlierRatio_ = 1.0;
 };
 }  // namespace monoslam

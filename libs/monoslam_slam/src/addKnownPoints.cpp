@@ -55,7 +55,7 @@ Mixture MapKeeper::addKnownPoints(Mixture mixture, const MetricPose& target,
         LandmarkRecord record;
         record.born = {frame.image, target.pixels_px[i], best(mixture).pose(), {}};
         record.bornFrame = record.lastSeen = frame.index;
-        record.known = true;
+        record.known = target.points_m[i];
         enter(id, record, mixture);
     }
     return mixture;

@@ -11,7 +11,7 @@ std::vector<MapLandmark> listLandmarks(const Belief& belief, const LandmarkRecor
         const LandmarkRecord& record = records.at(slot.id);
         map.push_back({slot.id, slot.kind, belief.x.segment(slot.offset, slot.size()),
                        belief.P.block(slot.offset, slot.offset, slot.size(), slot.size()),
-                       record.matched, record.lastSeen, record.known, record.bornFrame,
+                       record.matched, record.lastSeen, record.known.has_value(), record.bornFrame,
                        record.born.uv_px});
     }
     return map;

@@ -15,9 +15,11 @@ constexpr double kFixed = 1e12;      ///< information of a pose that defines the
 constexpr double kFree = 1e-9;       ///< of one that the known points hold
 constexpr double kUnitSigma = 1e-3;  ///< relative std of a free unit, held by the window's length
 
-/** Landmark as three free numbers: from the fixed anchor, or as the known point that it is. */
+/** Landmark as three free numbers: from the fixed anchor, or as the known point that it is. What the
+ *  filter has made of a known point meanwhile is only where to begin. */
 WindowLandmark windowLandmark(const Belief& belief, const LandmarkSlot& slot,
-                              const Eigen::Vector3d& anchor, bool known, double pointSigma)
+                              const Eigen::Vector3d& anchor,
+                              const std::optional<Eigen::Vector3d>& known, double pointSigma)
 {
     WindowLandmark landmark;
     const Eigen::Vector3d p_w = landmarkPoint(belief, slot);
@@ -25,7 +27,7 @@ WindowLandmark windowLandmark(const Belief& belief, const LandmarkSlot& slot,
     {
         landmark.kind = LandmarkKind::Point;
         landmark.y = p_w;
-        landmark.priorMean = p_w;
+        landmark.priorMean = *known;
         landmark.priorInformation.setConstant(1.0 / (pointSigma * pointSigma));
         return landmark;
     }

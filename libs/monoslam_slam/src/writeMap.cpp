@@ -38,7 +38,8 @@ std::vector<double> upperTriangle(const Eigen::MatrixXd& P)
 std::string mapHeader()
 {
     std::string header =
-        "id,kind,known,times_seen,last_seen,born_frame,born_u_px,born_v_px,x_m,y_m,z_m,x0_m,y0_m,z0_m,theta_rad,phi_rad,rho_1pm";
+        "id,kind,known,times_seen,last_seen,born_frame,born_u_px,born_v_px,x_m,y_m,z_m,x0_m,y0_m,"
+        "z0_m,theta_rad,phi_rad,rho_1pm";
     const char* point[] = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j) header += std::string(",P_") + point[i] + "_" + point[j];
@@ -59,8 +60,8 @@ std::string mapLine(const MapLandmark& landmark)
     return std::to_string(landmark.id) + (isRay ? ",inverse_depth," : ",point,") +
            (landmark.known ? "1," : "0,") + std::to_string(landmark.timesSeen) + "," +
            std::to_string(landmark.lastSeen) + "," + std::to_string(landmark.bornFrame) +
-           fields({landmark.born_px.x(), landmark.born_px.y()}, 2) + fields(p, 3) + fields(y, 6) + fields(P, 6) +
-           fields(P_y, 21) + "\n";
+           fields({landmark.born_px.x(), landmark.born_px.y()}, 2) + fields(p, 3) + fields(y, 6) +
+           fields(P, 6) + fields(P_y, 21) + "\n";
 }
 }  // namespace
 
