@@ -126,7 +126,7 @@ def what_ran(args, rendered, missing, real, rows):
     text = (f"By `{command}`: {len(rendered)} rendered sequences of {sum(s.frames for s in rendered)} "
             f"frames, {len(everything)} runs, {len(failed)} of them failed.")
     if missing:
-        text += " Not rendered when this was made, and left out: " + ", ".join(missing) + "."
+        text += " Not complete in the folder of worlds, and left out: " + ", ".join(missing) + "."
     if real:
         text += " Real sequences: " + ", ".join(s.name for s in real) + "."
     return text
