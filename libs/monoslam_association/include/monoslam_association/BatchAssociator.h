@@ -21,7 +21,8 @@ struct MONOSLAM_ASSOCIATION_EXPORT BatchOptions
     int max_measured = 60;                  ///< landmarks searched in a frame
     double final_gate_probability = 0.999;  ///< test of each accepted pair given all others;
                                             ///< 1 = off
-    int max_iterations = 8;  ///< most linearisations of a frame's update; 1 = plain EKF (the papers)
+    int max_iterations =
+        8;  ///< most linearisations of a frame's update; 1 = plain EKF (the papers)
 
     static BatchOptions from(const mrpt::config::CConfigFileBase& file,
                              const std::string& fileName);
