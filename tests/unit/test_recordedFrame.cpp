@@ -14,6 +14,19 @@ namespace
 class FromFile : public testing::TestWithParam<std::string>
 {
 };
+/** A strategy finds in the file what it found in the image only with the answers to its own searches. */
+void expectAnswersMatter(const PerspectiveFrame& seen, const FrameView& image)
+{
+    const mrpt::config::CConfigFileMemory ini("[association]\nfirst_stage_landmarks = 0\n");
+    const auto associator = makeAssociator("hohct", ini);
+    const RecordedFrame wide = recordFrame(record(seen), image);
+    const RecordedFrame frame = withAnswers(wide, image, *associator, std::mt19937(1));
+    std::mt19937 rng(1);
+    const Belief own = best(associator->correct(frame.mixture, image, rng).mixture);
+    EXPECT_NE(own.x, best(associator->correct(frame.mixture, wide.view(), rng).mixture).x);
+    EXPECT_EQ(own.x, best(associator->correct(frame.mixture, frame.view(), rng).mixture).x);
+}
+
 }  // namespace
 
 TEST(RecordedFrame, FindsWhatTheFrameItselfFinds)
@@ -44,14 +57,7 @@ TEST(RecordedFrame, KnowsWhatOnlyTheStrategysOwnEllipsesShowed)
         found.candidates.front().score = 0.995;
         return found;
     };
-    const mrpt::config::CConfigFileMemory ini("[association]\nfirst_stage_landmarks = 0\n");
-    const auto associator = makeAssociator("hohct", ini);
-    const RecordedFrame wide = recordFrame(record(seen), image);
-    const RecordedFrame frame = withAnswers(wide, image, *associator, std::mt19937(1));
-    std::mt19937 rng(1);
-    const Belief own = best(associator->correct(frame.mixture, image, rng).mixture);
-    EXPECT_NE(own.x, best(associator->correct(frame.mixture, wide.view(), rng).mixture).x);
-    EXPECT_EQ(own.x, best(associator->correct(frame.mixture, frame.view(), rng).mixture).x);
+    expectAnswersMatter(seen, image);
 }
 
 /** As a coarse search does that begins at other pixels in a smaller ellipse. */
@@ -69,14 +75,7 @@ TEST(RecordedFrame, LacksWhatTheStrategysOwnSearchMissed)
         if (found.candidates.size() > most) found.candidates.resize(most);
         return found;
     };
-    const mrpt::config::CConfigFileMemory ini("[association]\nfirst_stage_landmarks = 0\n");
-    const auto associator = makeAssociator("hohct", ini);
-    const RecordedFrame wide = recordFrame(record(seen), image);
-    const RecordedFrame frame = withAnswers(wide, image, *associator, std::mt19937(1));
-    std::mt19937 rng(1);
-    const Belief own = best(associator->correct(frame.mixture, image, rng).mixture);
-    EXPECT_NE(own.x, best(associator->correct(frame.mixture, wide.view(), rng).mixture).x);
-    EXPECT_EQ(own.x, best(associator->correct(frame.mixture, frame.view(), rng).mixture).x);
+    expectAnswersMatter(seen, image);
 }
 
 TEST(RecordedFrame, GivesTheBestCandidatesOfARegionInOrder)

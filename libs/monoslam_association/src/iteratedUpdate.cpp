@@ -19,7 +19,7 @@ constexpr double kLinearEnough_sigmas = 3.0;
 /** A prediction of the prior, the pixels on its rows, and the posterior that they give. */
 struct Linearization
 {
-    Prediction prediction;
+    const Prediction* prediction;
     std::vector<PixelMeasurement> pixels;
     Belief posterior;
 };
@@ -33,7 +33,7 @@ double error_sigmas(const Linearization& linearized, const Belief& prior, const 
     double worst = 0.0;
     for (const PixelMeasurement& pixel : linearized.pixels)
     {
-        const auto& row = linearized.prediction.rows[static_cast<std::size_t>(pixel.row)];
+        const auto& row = linearized.prediction->rows[static_cast<std::size_t>(pixel.row)];
         const auto slot = static_cast<std::size_t>(prior.find(row.id));
         const auto seen = view.linearize(x, prior.landmarks[slot]);
         if (!seen) continue;
@@ -48,18 +48,19 @@ double error_sigmas(const Linearization& linearized, const Belief& prior, const 
 Belief iteratedUpdate(const LinearizedPrior& from, const std::vector<PixelMeasurement>& pixels,
                       const FrameView& view, int maxIterations, int& faults)
 {
-    Linearization now{from.prediction, pixels,
+    Prediction latest;  // that of `now` after the first
+    Linearization now{&from.prediction, pixels,
                       view.engine.update(from.prior, from.prediction, pixels, &faults)};
     const int made = from.at.size() > 0 ? 2 : 1;
     for (int n = made; n < maxIterations; ++n)
     {
         if (error_sigmas(now, from.prior, view) < kLinearEnough_sigmas) break;
-        Linearization next;
-        next.prediction = predictAt(view, from.prior, now.posterior.x);
-        next.pixels = onRowsOf(next.prediction, now.prediction, now.pixels);
-        if (next.pixels.size() < pixels.size()) break;  // a landmark left the image
-        next.posterior = view.engine.update(from.prior, next.prediction, next.pixels, &faults);
-        now = std::move(next);
+        Prediction again = predictAt(view, from.prior, now.posterior.x);
+        auto moved = onRowsOf(again, *now.prediction, now.pixels);
+        if (moved.size() < pixels.size()) break;  // a landmark left the image
+        latest = std::move(again);
+        now = {&latest, std::move(moved), {}};
+        now.posterior = view.engine.update(from.prior, latest, now.pixels, &faults);
     }
     return std::move(now.posterior);
 }

@@ -18,7 +18,7 @@ struct MONOSLAM_SLAM_EXPORT StartOptions
     int max_frames = 200;                   ///< after which the window closes
     int min_sightings = 3;                  ///< of a landmark that stays
     double min_inlier_ratio = 0.6;          ///< of its pixels
-    double good_inlier_ratio = 0.98;   ///< fewer explained pixels: other solutions are tried too
+    double good_inlier_ratio = 0.98;   ///< fewer: others are tried too, as always at small parallax
     double accept_inlier_ratio = 0.8;  ///< fewer still: the filter's own belief stays
     double point_sigma = 0.0005;       ///< of known points, from [metric_start] [unit]
 
