@@ -69,8 +69,10 @@ class BatchSearch
 /** Accepted candidate of every pair that a search has found so far, -1 = none. */
 using DecideFn = std::function<std::vector<int>(BatchSearch&)>;
 
-/** Searches the first stage, decides, linearises again at the mean that the accepted pairs give,
- *  searches the rest in shrunken gates and decides over all. eturn the last decision */
+/** Searches the first stage and decides; linearises again at the mean that the accepted pairs give if
+ *  the prediction is not linear as far as there; searches the rest in shrunken gates and decides over
+ *  all. The first stage's mean is no estimate to linearise at without need: it is a few pairs' and
+ *  wanders where they say little. \return the last decision */
 [[nodiscard]] std::vector<int> searchInStages(BatchSearch& search, Belief& prior,
                                               const FrameView& view, const DecideFn& decide);
 

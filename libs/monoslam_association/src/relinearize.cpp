@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "relinearize.h"
 
+#include <Eigen/LU>
+
 namespace monoslam
 {
+namespace
+{
+/** Error of the linearised projection, in standard deviations of the pixel's noise, below which it does
+ *  not matter. */
+constexpr double kLinearEnough_sigmas = 3.0;
+}  // namespace
+
 Prediction predictAt(const FrameView& view, Belief& prior, Eigen::VectorXd x)
 {
     prior.x.swap(x);  // for a moment: a copy would copy the covariance too
@@ -13,6 +22,24 @@ Prediction predictAt(const FrameView& view, Belief& prior, Eigen::VectorXd x)
         row.h += row.H_v * back.head<camera_state::kSize>() +
                  row.H_y.leftCols(row.size) * back.segment(row.offset, row.size);
     return prediction;
+}
+
+bool linearEnough(const Prediction& prediction, const std::vector<PixelMeasurement>& pixels,
+                  const Belief& prior, const Eigen::VectorXd& x, const FrameView& view)
+{
+    const Eigen::VectorXd step = x - prior.x;
+    for (const PixelMeasurement& pixel : pixels)
+    {
+        const auto& row = prediction.rows[static_cast<std::size_t>(pixel.row)];
+        const auto slot = static_cast<std::size_t>(prior.find(row.id));
+        const auto seen = view.linearize(x, prior.landmarks[slot]);
+        if (!seen) continue;
+        const Eigen::Vector2d e = seen->h - row.h - row.H_v * step.head<camera_state::kSize>() -
+                                  row.H_y.leftCols(row.size) * step.segment(row.offset, row.size);
+        if (e.dot(pixel.R.inverse() * e) >= kLinearEnough_sigmas * kLinearEnough_sigmas)
+            return false;
+    }
+    return true;
 }
 
 std::map<LandmarkId, Eigen::Index> rowsById(const Prediction& prediction)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The order of search and decision of batch strategies, and what is recorded of it.
 #include <algorithm>
+#include <utility>
 
 #include "BatchSearch.h"
 #include "ConditionalPrediction.h"
@@ -21,10 +22,15 @@ std::vector<int> searchInStages(BatchSearch& search, Belief& prior, const FrameV
     const auto known = pixelsOf(search.problem(), accepted);
     if (search.settings().options.max_iterations > 1 && known.size() >= kPoseFixingPairs)
     {
-        search.linearizedAt = ekfUpdateMean(prior, search.prediction(), known);
-        search.moveTo(predictAt(view, prior, search.linearizedAt));
+        Eigen::VectorXd mean = ekfUpdateMean(prior, search.prediction(), known);
+        const bool enough = linearEnough(search.prediction(), known, prior, mean, view);
+        if (!enough)
+        {
+            search.linearizedAt = std::move(mean);
+            search.moveTo(predictAt(view, prior, search.linearizedAt));
+        }
         counters.updateMs += clock.lap_ms();
-        accepted = decide(search);
+        if (!enough) accepted = decide(search);
         counters.selectMs += clock.lap_ms();
     }
     search.searchRest(accepted);
