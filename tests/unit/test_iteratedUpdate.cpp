@@ -51,6 +51,14 @@ class SecondFrame
         return posterior;
     }
 
+    /** Whether the linearisation, made near the prior's mean, still holds at a camera turned on from it. */
+    [[nodiscard]] bool linearAfterTurn(double angle_rad) const
+    {
+        Eigen::VectorXd x = belief_.x;
+        x.segment<4>(3) = quaternionExp({0.0, angle_rad, 0.0});
+        return linearEnough(prediction_, pixels_, belief_, x, view_);
+    }
+
     [[nodiscard]] Belief once() const { return ekfUpdate(belief_, prediction_, pixels_); }
     [[nodiscard]] double positionError_m(const Belief& posterior) const
     {
@@ -142,5 +150,13 @@ TEST(IteratedUpdate, IsOneUpdateWhereThatIsEnough)
     EXPECT_EQ(known.update(kUnlimited).x, known.once().x);
     SecondFrame unknown(0.4, 2);
     EXPECT_EQ(unknown.update(2).x, unknown.once().x);
+}
+
+TEST(LinearEnough, HoldsForASmallTurnAndNotForALargeOne)
+{
+    const SecondFrame frame(1e-4, 1);
+    EXPECT_TRUE(frame.linearAfterTurn(0.0));
+    EXPECT_TRUE(frame.linearAfterTurn(0.005));
+    EXPECT_FALSE(frame.linearAfterTurn(0.2));
 }
 }  // namespace monoslam

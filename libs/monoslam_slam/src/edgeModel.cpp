@@ -9,6 +9,7 @@ namespace monoslam
 {
 namespace
 {
+constexpr int kMostSteps = 20;
 constexpr int kSideSize = 6;
 constexpr int kSize = 4 * kSideSize + 1;
 using Parameters = Eigen::Matrix<double, kSize, 1>;
@@ -22,12 +23,51 @@ struct Light
     double slope;
 };
 
-Light srgb(double v)
+Light srgbByPower(double v)
 {
     if (v <= 0.04045) return {v / 12.92, 1.0 / 12.92};
     const double base = (v + 0.055) / 1.055;
     const double power = std::pow(base, 1.4);
     return {base * power, 2.4 / 1.055 * power};
+}
+
+/** The curve between 1/16 and 17/16 by cubics that meet it in value and slope, to 1e-9: the power would
+ *  be most of a fit's time. */
+class SrgbTable
+{
+   public:
+    SrgbTable()
+    {
+        for (std::size_t i = 0; i < nodes_.size(); ++i) nodes_[i] = srgbByPower(kFrom + i * kStep);
+    }
+
+    [[nodiscard]] Light at(double v) const
+    {
+        const double place = (v - kFrom) / kStep;
+        if (!(place >= 0.0 && place < kIntervals)) return srgbByPower(v);
+        const auto i = static_cast<std::size_t>(place);
+        const double t = place - static_cast<double>(i);
+        const Light& a = nodes_[i];
+        const Light& b = nodes_[i + 1];
+        const double rise = b.value - a.value;
+        const double bend_a = a.slope * kStep - rise;
+        const double bend_b = rise - b.slope * kStep;
+        const double bend = (1.0 - t) * bend_a + t * bend_b;
+        return {a.value + t * rise + t * (1.0 - t) * bend,
+                (rise + (1.0 - 2.0 * t) * bend + t * (1.0 - t) * (bend_b - bend_a)) / kStep};
+    }
+
+   private:
+    static constexpr int kIntervals = 512;
+    static constexpr double kFrom = 1.0 / 16;
+    static constexpr double kStep = 1.0 / kIntervals;
+    std::array<Light, kIntervals + 1> nodes_{};
+};
+
+Light srgb(double v)
+{
+    static const SrgbTable table;
+    return table.at(v);
 }
 
 /** light = (1 - t) v + t srgb(v); v may leave [0, 1] a little, where it goes on straight. */
@@ -182,11 +222,18 @@ std::optional<EdgeFit> fitEdges(const std::array<std::vector<EdgePixel>, 4>& sid
         if (!before) fit.sides[k] = *side;
         fit.sides[k].offset_px = fit.sides[k].tilt_px = 0.0;
     }
-    for (int iteration = 0; iteration < 20; ++iteration)
+    // Response, grey levels and blur explain nearly the same: along that valley full steps may go from
+    // side to side for ever, so a step that turns back is halved.
+    double share = 1.0;
+    Parameters last = Parameters::Zero();
+    for (int iteration = 0; iteration < kMostSteps; ++iteration)
     {
         const Parameters change = step(sides, fit);
         if (!change.allFinite()) return std::nullopt;
-        apply(change, fit);
+        share = change.dot(last) < 0.0 ? 0.5 * share : std::min(1.0, 2.0 * share);
+        last = change;
+        apply(share * change, fit);
+        fit.steps = iteration + 1;
         if (iteration > 1 && change.cwiseAbs().maxCoeff() < tolerance) break;
     }
     return fit;

@@ -37,12 +37,13 @@ struct EdgeFit
     std::array<SideFit, 4> sides;
     double response = 0.5;    ///< 0: grey is proportional to light, 1: sRGB; in between, mixed
     double noise_grey = 0.0;  ///< robust std of the residuals
+    int steps = 0;            ///< Gauss-Newton steps taken, 20 at most
 };
 
 /** Fits the four sides jointly, by robust Gauss-Newton steps from grey-level quantiles.
  *  \param before an earlier fit of the same sides, placed anew since: where to begin, or null
  *  \param tolerance of the last step, [px] and grey levels / 255
- *  \return nothing if it does not converge or a side has too few pixels */
+ *  \return nothing if it diverges or a side has too few pixels */
 [[nodiscard]] std::optional<EdgeFit> fitEdges(const std::array<std::vector<EdgePixel>, 4>& sides,
                                               const EdgeFit* before, double tolerance);
 }  // namespace monoslam
