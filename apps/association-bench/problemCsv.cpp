@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problemCsv.h"
 
-#include <cstdio>
+#include "monoslam_support/csvCells.h"
 
 namespace monoslam
 {
 namespace
 {
-std::string number(double value)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
-
-std::string quoted(const std::string& text)
-{
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
-}
-
 /** Landmarks whose pair was found and rejected, separated by spaces. */
 std::string rejectedIds(const Solution& solution)
 {

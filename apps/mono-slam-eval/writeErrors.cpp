@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 #include "Figure.h"
+#include "monoslam_slam/writers.h"
+#include "monoslam_support/csvCells.h"
 
 namespace monoslam
 {
@@ -14,9 +13,7 @@ namespace
 {
 std::string cell(double value)
 {
-    char text[40];
-    std::snprintf(text, sizeof text, ",%.9g", value);
-    return text;
+    return "," + number(value);
 }
 
 std::string cells(const Eigen::Vector3d& p)
@@ -43,16 +40,10 @@ void writeErrors(const RunOutput& run, const std::vector<PosePair>& pairs, Align
     {
         const StampedPose pose = transform(fit, pairs[i].estimate);
         const Vector6d error = poseError(pose, pairs[i].truth);
-        char time[32];
-        std::snprintf(time, sizeof time, "%.7f", pose.t_s);
-        lines << time << cell(error.head<3>().norm()) << cell(angle_rad(error))
+        lines << number(pose.t_s, "%.7f") << cell(error.head<3>().norm()) << cell(angle_rad(error))
               << (consistency[i] ? cell(*consistency[i]) : ",") << cells(pose.r_wc)
               << cells(pairs[i].truth.r_wc) << '\n';
     }
-    const std::string name = run.folder + "/errors.csv";
-    std::ofstream file(name);
-    file << lines.str();
-    file.close();
-    if (!file) throw std::runtime_error(name + ": cannot be written");
+    OutputFile(run.folder + "/errors.csv").write(lines.str());
 }
 }  // namespace monoslam

@@ -138,12 +138,13 @@ TEST(PrepareOutputFolder, RemovesOnlyWhatWeWrite)
 {
     TemporaryFolder folder;
     for (const char* name :
-         {"notes.txt", "map.csv", "pictures/frame_000001.jpg", "pictures/me.jpg"})
+         {"notes.txt", "map.csv", "errors.csv", "pictures/frame_000001.jpg", "pictures/me.jpg"})
         writeText(folder / name, "x");
     prepareOutputFolder(folder.path(), true);
     EXPECT_TRUE(std::filesystem::exists(folder / "notes.txt"));
     EXPECT_TRUE(std::filesystem::exists(folder / "pictures/me.jpg"));
     EXPECT_FALSE(std::filesystem::exists(folder / "map.csv"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "errors.csv"));
     EXPECT_FALSE(std::filesystem::exists(folder / "pictures/frame_000001.jpg"));
 }
 

@@ -2,22 +2,15 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "monoslam_models/InverseDepth.h"
 #include "monoslam_slam/writers.h"
+#include "monoslam_support/csvCells.h"
 
 namespace monoslam
 {
 namespace
 {
-std::string number(double value)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
-
 /** `count` numbers of a triangle's or a vector's entries, empty where there are none. */
 std::string fields(const std::vector<double>& values, std::size_t count)
 {

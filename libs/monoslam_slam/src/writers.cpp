@@ -2,11 +2,12 @@
 #include "monoslam_slam/writers.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <regex>
 #include <stdexcept>
+
+#include "monoslam_support/csvCells.h"
 
 namespace monoslam
 {
@@ -14,20 +15,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-std::string number(double value, const char* format = "%.9g")
-{
-    char text[40];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
-std::string quoted(const std::string& text)
-{
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
-}
-
 double meanNis(const std::vector<Association>& associations)
 {
     double sum = 0.0;
@@ -89,7 +76,8 @@ bool isOurs(const std::string& fileName)
 {
     static const std::regex ours(
         "trajectory\\.tum|robot_path\\.tum|groundtruth\\.tum|covariance\\.csv|frames\\.csv|"
-        "associations\\.csv|map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|top_view\\.png|"
+        "associations\\.csv|errors\\.csv|map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|top_"
+        "view\\.png|"
         "frame_[0-9]+\\.(png|jpg)|association_[0-9]+\\.json");
     return std::regex_match(fileName, ours);
 }
