@@ -37,6 +37,13 @@ class PairMatrix
         return data_.block(a * capacity_, b * capacity_, n_, n_);
     }
 
+    /** Where the entry of a plane is; those of the pairs after l follow. */
+    [[nodiscard]] const double* address(Eigen::Index a, Eigen::Index b, Eigen::Index l,
+                                        Eigen::Index j) const
+    {
+        return &data_(a * capacity_ + l, b * capacity_ + j);
+    }
+
     [[nodiscard]] Eigen::Matrix2d block(Eigen::Index l, Eigen::Index j) const
     {
         if (l < j) return block(j, l).transpose();

@@ -11,12 +11,11 @@ namespace monoslam
 {
 void RemovalBound::measure(const PairMatrix& Lam, const PairVector& gt)
 {
-    const Eigen::Index n = Lam.size();
+    const Eigen::Index n = n_ = Lam.size();
     if (N_.rows() < n)
     {
         N_.resize(n, n);
         G_inverse_.resize(n, 3);
-        C_.resize(n, 4);
         w_.resize(n);
         values_.resize(n);
         squares_.resize(n);
@@ -42,33 +41,51 @@ void RemovalBound::measure(const PairMatrix& Lam, const PairVector& gt)
               [this](Eigen::Index a, Eigen::Index b) { return squares_(a) > squares_(b); });
 }
 
-/** N_lj = sqrt(f + sqrt(f^2 - det^2)), 2 f the sum of squares of C_lj, for all l > j. */
+namespace
+{
+/** Columns of one plane for two components of the pair that they belong to. */
+struct BlockColumns
+{
+    const double *c00, *c10, *c01, *c11;
+};
+
+/** N_lj = sqrt(f + sqrt(f^2 - det^2)), 2 f the sum of squares of C_lj, for kWidth pairs l. */
+template <int kWidth>
+void couplings(const BlockColumns& Lam, const Eigen::ArrayX3d& G_inverse, Eigen::Index l,
+               const Eigen::Array3d& own, double* N)
+{
+    using Pack = Eigen::Array<double, kWidth, 1>;
+    using Load = Eigen::Map<const Pack>;
+    const Pack g00 = G_inverse.col(0).segment<kWidth>(l);
+    const Pack g10 = G_inverse.col(1).segment<kWidth>(l);
+    const Pack g11 = G_inverse.col(2).segment<kWidth>(l);
+    const Pack left0 = own(0) * Load(Lam.c00), left1 = own(0) * Load(Lam.c10);
+    const Pack right0 = own(1) * Load(Lam.c00) + own(2) * Load(Lam.c01);
+    const Pack right1 = own(1) * Load(Lam.c10) + own(2) * Load(Lam.c11);
+    const Pack c00 = g00 * left0, c01 = g00 * right0;
+    const Pack c10 = g10 * left0 + g11 * left1, c11 = g10 * right0 + g11 * right1;
+    const Pack det = c00 * c11 - c01 * c10;
+    const Pack f = 0.5 * (c00.square() + c01.square() + c10.square() + c11.square());
+    Eigen::Map<Pack> result(N);
+    result = (f + (f.square() - det.square()).max(0.0).sqrt()).sqrt();
+}
+}  // namespace
+
+/** Of all l > j; those before are there. */
 void RemovalBound::coupleWithLater(const PairMatrix& Lam, Eigen::Index j)
 {
-    const Eigen::Index n = Lam.size() - j - 1;
-    const double a = G_inverse_(j, 0), b = G_inverse_(j, 1), c = G_inverse_(j, 2);
-    const Eigen::Ref<const Eigen::ArrayXd> g00 = G_inverse_.col(0).segment(j + 1, n);
-    const Eigen::Ref<const Eigen::ArrayXd> g10 = G_inverse_.col(1).segment(j + 1, n);
-    const Eigen::Ref<const Eigen::ArrayXd> g11 = G_inverse_.col(2).segment(j + 1, n);
-    for (Eigen::Index row = 0; row < 2; ++row)
+    const Eigen::Index n = Lam.size();
+    const Eigen::Array3d own = G_inverse_.row(j).transpose();
+    const auto at = [&](Eigen::Index l)
     {
-        const PairMatrix::ConstPlane left = Lam.plane(row, 0), right = Lam.plane(row, 1);
-        C_.col(row).head(n) = a * left.col(j).tail(n).array();
-        C_.col(2 + row).head(n) =
-            b * left.col(j).tail(n).array() + c * right.col(j).tail(n).array();
-    }
-    Eigen::Ref<Eigen::ArrayXd> c00 = C_.col(0).head(n), c10 = C_.col(1).head(n);
-    Eigen::Ref<Eigen::ArrayXd> c01 = C_.col(2).head(n), c11 = C_.col(3).head(n);
-    c10 = g10 * c00 + g11 * c10;
-    c11 = g10 * c01 + g11 * c11;
-    c00 *= g00;
-    c01 *= g00;
-    Eigen::Ref<Eigen::ArrayXd> N = N_.col(j).segment(j + 1, n).array();
-    N = c00 * c11 - c01 * c10;
-    c00 = 0.5 * (c00.square() + c01.square() + c10.square() + c11.square());
-    N = (c00 + (c00.square() - N.square()).max(0.0).sqrt()).sqrt();
+        return BlockColumns{Lam.address(0, 0, l, j), Lam.address(1, 0, l, j),
+                            Lam.address(0, 1, l, j), Lam.address(1, 1, l, j)};
+    };
+    Eigen::Index l = j + 1;
+    for (; l + 4 <= n; l += 4) couplings<4>(at(l), G_inverse_, l, own, &N_(l, j));
+    for (; l < n; ++l) couplings<1>(at(l), G_inverse_, l, own, &N_(l, j));
     N_(j, j) = 0.0;
-    N_.row(j).segment(j + 1, n) = N_.col(j).segment(j + 1, n).transpose();
+    N_.row(j).segment(j + 1, n - j - 1) = N_.col(j).segment(j + 1, n - j - 1).transpose();
 }
 
 void RemovalBound::close(Eigen::Index j)
@@ -89,10 +106,36 @@ void RemovalBound::sumLargest(Eigen::Index j)
     largest_.assign(static_cast<std::size_t>(summed_), 0.0);
     for (const Eigen::Index l : strongest_)
         if (N_(l, j) > largest_.back() && l != j) insertFalling(largest_, N_(l, j));
+    setSums(j, [this](Eigen::Index x) { return largest_[static_cast<std::size_t>(x)]; });
+}
+
+/** The same of kTogether columns from j on, without a branch for each number. */
+void RemovalBound::sumLargestTogether(Eigen::Index j)
+{
+    using Pack = Eigen::Array<double, kTogether, 1>;
+    largestTogether_.assign(static_cast<std::size_t>(summed_), Pack::Zero());
+    for (const Eigen::Index l : strongest_)
+    {
+        Pack value = N_.col(l).segment<kTogether>(j);  // symmetric; 0 where l is the column itself
+        if ((value <= largestTogether_.back()).all()) continue;
+        for (Pack& largest : largestTogether_)
+        {
+            const Pack less = largest.min(value);
+            largest = largest.max(value);
+            value = less;
+        }
+    }
+    for (Eigen::Index k = 0; k < kTogether; ++k)
+        setSums(j + k,
+                [&](Eigen::Index x) { return largestTogether_[static_cast<std::size_t>(x)](k); });
+}
+
+template <class Largest>
+void RemovalBound::setSums(Eigen::Index j, const Largest& largest)
+{
     double sum = 0.0;
-    for (Eigen::Index x = 0; x < summed_; ++x)
-        sums_(x, j) = sum += largest_[static_cast<std::size_t>(x)];
-    least_(j) = largest_.back();
+    for (Eigen::Index x = 0; x < summed_; ++x) sums_(x, j) = sum += largest(x);
+    least_(j) = largest(summed_ - 1);
     known_[static_cast<std::size_t>(j)] = 1;
 }
 
@@ -104,6 +147,7 @@ void RemovalBound::couple(Eigen::Index most)
         if (sums_.rows() < summed_ || sums_.cols() < N_.cols()) sums_.resize(summed_, N_.cols());
         least_.resize(N_.cols());
         known_.assign(static_cast<std::size_t>(N_.cols()), 0);
+        for (Eigen::Index j = 0; j + kTogether <= n_; j += kTogether) sumLargestTogether(j);
     }
     for (const Eigen::Index j : open_)
         if (known_[static_cast<std::size_t>(j)] == 0) sumLargest(j);

@@ -42,17 +42,23 @@ class RemovalBound
    private:
     void coupleWithLater(const PairMatrix& Lam, Eigen::Index j);
     void sumLargest(Eigen::Index j);
+    void sumLargestTogether(Eigen::Index j);
+    template <class Largest>
+    void setSums(Eigen::Index j, const Largest& largest);
     void close(Eigen::Index j);
 
+    static constexpr Eigen::Index kTogether = 8;
+
+    Eigen::Index n_ = 0;  ///< pairs, open or not
     Eigen::MatrixXd N_;
     Eigen::ArrayX3d G_inverse_;  ///< (0, 0), (1, 0), (1, 1) of each pair
-    Eigen::ArrayX4d C_;          ///< (0, 0), (1, 0), (0, 1), (1, 1) of one column's blocks
     Eigen::ArrayXd w_, values_;
     Eigen::MatrixXd sums_;     ///< column j: of the 1, 2, ... largest N_jl
     Eigen::VectorXd least_;    ///< of the N_jl summed
     Eigen::Index summed_ = 0;  ///< rows of sums_ in use
     std::vector<char> known_;  ///< column j of sums_ is up to date
     std::vector<double> largest_;
+    std::vector<Eigen::Array<double, kTogether, 1>> largestTogether_;
     ReachablePairs reachable_;
     std::vector<Eigen::Index> open_, closed_;
     Eigen::ArrayXd squares_;               ///< sum of the N_jl^2
