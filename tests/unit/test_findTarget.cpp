@@ -27,6 +27,15 @@ double deskWithRectangle(double x, double y)
     return 0.3;
 }
 
+/** The same beside a larger dark frame of the same shape round something light. */
+double deskWithFrame(double x, double y)
+{
+    const double left = x + 0.45;
+    if (inBox(left, y - 0.15, 0.21, 0.1485))
+        return inBox(left, y - 0.15, 0.17, 0.1085) ? 0.6 : 0.02;
+    return deskWithRectangle(x, y);
+}
+
 double emptyDesk(double x, double y)
 {
     return inBox(x - 0.1, y, 0.06, 0.06) ? 0.7 : 0.3;
@@ -101,6 +110,16 @@ TEST(FindTarget, RectangleIsMeasuredToATwentiethPixelWhateverTheSensorsResponse)
             EXPECT_LT(mahalanobis2(truth, result.found->pose, result.found->P), 16.8);
             EXPECT_LT((result.found->pose - truth).head<3>().norm(), 0.002);
         }
+}
+
+TEST(FindTarget, AFrameRoundSomethingElseIsNoRectangle)
+{
+    const Camera camera = wideCamera();
+    const Vector7d truth = lookAt({-0.15, -0.4, 0.65}, {-0.2, 0.05, 0.0}, 0.0);
+    const cv::Mat image = renderPlane({deskWithFrame}, camera, truth, {0.6, 2.0, true, 3});
+    const auto result = findMetricPose(image, camera, optionsFor(MetricStartMethod::Rectangle));
+    ASSERT_TRUE(result.found) << result.reason;
+    EXPECT_LT((result.found->pose - truth).head<3>().norm(), 0.005);
 }
 
 TEST(FindTarget, AnAbsentRectangleIsSaidToBeAbsent)

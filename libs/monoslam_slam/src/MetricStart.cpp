@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +18,8 @@ namespace
 {
 constexpr double kContourSigma_px = 1.5;
 constexpr std::size_t kMostRefined = 20;
-constexpr double kRivalArea = 0.5;  ///< of the largest: a smaller rectangle is no rival
+constexpr double kLeastFilled = 0.9;  ///< share of the enclosed pixels that are dark
+constexpr double kRivalArea = 0.5;    ///< of the largest: a smaller rectangle is no rival
 
 /** The quad labelled as the world's rectangle, starting at its corner k. */
 SeenPoints labelled(const Quad& quad, int k, double sigma_px, const MetricStartOptions& options)
@@ -86,6 +88,23 @@ bool darkInside(const EdgeFit& fit)
                        [](const SideFit& side) { return side.inside < side.outside; });
 }
 
+/** Whether what the sides enclose is dark as well: a frame round something else is no rectangle. */
+bool filled(const cv::Mat& image, const EdgeQuad& edges)
+{
+    double middle = 0.0;
+    for (const SideFit& side : edges.fit.sides)
+        middle += 255.0 * (side.inside + side.outside) / 8.0;
+    std::vector<cv::Point> corners;
+    for (const Eigen::Vector2d& corner : edges.corners_px)
+        corners.emplace_back(cvRound(corner.x()), cvRound(corner.y()));
+    const cv::Rect box = cv::boundingRect(corners) & cv::Rect({}, image.size());
+    for (cv::Point& corner : corners) corner -= box.tl();
+    cv::Mat inside = cv::Mat::zeros(box.size(), CV_8UC1);
+    cv::fillConvexPoly(inside, corners, 255);
+    const cv::Mat dark = inside & (image(box) < middle);
+    return cv::countNonZero(dark) >= kLeastFilled * cv::countNonZero(inside);
+}
+
 /** Two thresholds may find the same rectangle with different rough corners. */
 bool sameAs(const std::optional<MetricPose>& pose, const Quad& quad)
 {
@@ -119,7 +138,7 @@ MetricStartResult findRectangle(const cv::Mat& image, const Camera& camera,
         if (areaOf(quad) < kRivalArea * area || tried == kMostRefined) break;
         if (!plausible(quad, camera, options)) continue;
         const auto edges = refineEdgeQuad(image, camera, quad);
-        if (!edges || !darkInside(edges->fit)) continue;
+        if (!edges || !darkInside(edges->fit) || !filled(image, *edges)) continue;
         if (sameAs(first.found, edges->corners_px)) continue;
         MetricStartResult result = poseOfRectangle(edges->corners_px, camera, options);
         const bool largest = result.found && fitting == 0;
