@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
 #include <numeric>
 
 #include "ReinsertionStack.h"
@@ -65,6 +69,42 @@ TEST(RemovalBound, IsNeverBelowTheGainOfAnySubset)
     }
     EXPECT_EQ(checked, 200 * (55 + 165 + 330));
     EXPECT_GT(finite, 1000);
+}
+
+/** sigma_j(x) from the definition: norms of the blocks that Cholesky factors of the diagonal whiten. */
+TEST(RemovalBound, SigmaIsOneMinusTheLargestWhitenedBlocks)
+{
+    for (const Eigen::Index m : {3, 7, 8, 9, 19, 24})
+    {
+        const SubsetProblem problem = drawProblem(m, 1, kTable, static_cast<unsigned>(m));
+        const DowndatingD2 whole(problem.S, problem.nu);
+        PairMatrix Lam;
+        Lam.gather(whole.precision(), firstPairs(m));
+        RemovalBound bound;
+        bound.measure(Lam, gatherRows(whole.weighted(), firstPairs(m)).reshaped(m, 2));
+        const Eigen::Index most = std::min<Eigen::Index>(m - 1, 6);
+        bound.couple(most);
+        const auto factor = [&](Eigen::Index j) -> Eigen::Matrix2d
+        { return whole.precision().block<2, 2>(2 * j, 2 * j).llt().matrixL(); };
+        for (Eigen::Index j = 0; j < m; ++j)
+        {
+            std::vector<double> norms;
+            for (Eigen::Index l = 0; l < m; ++l)
+                if (l != j)
+                    norms.push_back(
+                        (factor(j).inverse() * whole.precision().block<2, 2>(2 * j, 2 * l) *
+                         factor(l).inverse().transpose())
+                            .jacobiSvd()
+                            .singularValues()(0));
+            std::sort(norms.rbegin(), norms.rend());
+            double sum = 0.0;
+            for (Eigen::Index x = 2; x <= most; ++x)
+            {
+                sum += norms[static_cast<std::size_t>(x - 2)];
+                EXPECT_NEAR(bound.sigma(j, x), 1.0 - sum, 1e-9) << m << ' ' << j << ' ' << x;
+            }
+        }
+    }
 }
 
 TEST(RemovalBound, KeepsNoPairThatABetterSetLacks)

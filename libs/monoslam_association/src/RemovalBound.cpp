@@ -9,6 +9,36 @@
 
 namespace monoslam
 {
+namespace
+{
+/** Where the blocks of a pair with the later ones begin, component by component. */
+struct BlockColumns
+{
+    const double *c00, *c10, *c01, *c11;
+};
+
+/** N_lj = sqrt(f + sqrt(f^2 - det^2)), 2 f the sum of squares of C_lj, for kWidth pairs l. */
+template <int kWidth>
+void couplings(const BlockColumns& Lam, const Eigen::ArrayX3d& G_inverse, Eigen::Index l,
+               const Eigen::Array3d& own, double* N)
+{
+    using Pack = Eigen::Array<double, kWidth, 1>;
+    using Load = Eigen::Map<const Pack>;
+    const Pack g00 = G_inverse.col(0).segment<kWidth>(l);
+    const Pack g10 = G_inverse.col(1).segment<kWidth>(l);
+    const Pack g11 = G_inverse.col(2).segment<kWidth>(l);
+    const Pack left0 = own(0) * Load(Lam.c00), left1 = own(0) * Load(Lam.c10);
+    const Pack right0 = own(1) * Load(Lam.c00) + own(2) * Load(Lam.c01);
+    const Pack right1 = own(1) * Load(Lam.c10) + own(2) * Load(Lam.c11);
+    const Pack c00 = g00 * left0, c01 = g00 * right0;
+    const Pack c10 = g10 * left0 + g11 * left1, c11 = g10 * right0 + g11 * right1;
+    const Pack det = c00 * c11 - c01 * c10;
+    const Pack f = 0.5 * (c00.square() + c01.square() + c10.square() + c11.square());
+    Eigen::Map<Pack> result(N);
+    result = (f + (f.square() - det.square()).max(0.0).sqrt()).sqrt();
+}
+}  // namespace
+
 void RemovalBound::measure(const PairMatrix& Lam, const PairVector& gt)
 {
     const Eigen::Index n = n_ = Lam.size();
@@ -40,36 +70,6 @@ void RemovalBound::measure(const PairMatrix& Lam, const PairVector& gt)
     std::sort(strongest_.begin(), strongest_.end(),
               [this](Eigen::Index a, Eigen::Index b) { return squares_(a) > squares_(b); });
 }
-
-namespace
-{
-/** Columns of one plane for two components of the pair that they belong to. */
-struct BlockColumns
-{
-    const double *c00, *c10, *c01, *c11;
-};
-
-/** N_lj = sqrt(f + sqrt(f^2 - det^2)), 2 f the sum of squares of C_lj, for kWidth pairs l. */
-template <int kWidth>
-void couplings(const BlockColumns& Lam, const Eigen::ArrayX3d& G_inverse, Eigen::Index l,
-               const Eigen::Array3d& own, double* N)
-{
-    using Pack = Eigen::Array<double, kWidth, 1>;
-    using Load = Eigen::Map<const Pack>;
-    const Pack g00 = G_inverse.col(0).segment<kWidth>(l);
-    const Pack g10 = G_inverse.col(1).segment<kWidth>(l);
-    const Pack g11 = G_inverse.col(2).segment<kWidth>(l);
-    const Pack left0 = own(0) * Load(Lam.c00), left1 = own(0) * Load(Lam.c10);
-    const Pack right0 = own(1) * Load(Lam.c00) + own(2) * Load(Lam.c01);
-    const Pack right1 = own(1) * Load(Lam.c10) + own(2) * Load(Lam.c11);
-    const Pack c00 = g00 * left0, c01 = g00 * right0;
-    const Pack c10 = g10 * left0 + g11 * left1, c11 = g10 * right0 + g11 * right1;
-    const Pack det = c00 * c11 - c01 * c10;
-    const Pack f = 0.5 * (c00.square() + c01.square() + c10.square() + c11.square());
-    Eigen::Map<Pack> result(N);
-    result = (f + (f.square() - det.square()).max(0.0).sqrt()).sqrt();
-}
-}  // namespace
 
 /** Of all l > j; those before are there. */
 void RemovalBound::coupleWithLater(const PairMatrix& Lam, Eigen::Index j)
