@@ -120,7 +120,8 @@ double areaOf(const Quad& quad)
     const Eigen::Vector2d b = quad[3] - quad[1];
     return 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
 }
-/** Pose from the largest dark quadrilateral that is a view of the known rectangle.
+
+/** Pose from the largest filled dark quadrilateral that is a view of the known rectangle.
  *
  * Which side is the longer one is decided by the reprojection error. The half turn that remains
  * (and, for a square, the quarter turns) is decided by convention: the camera is above the plane,

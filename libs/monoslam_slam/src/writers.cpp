@@ -76,9 +76,8 @@ bool isOurs(const std::string& fileName)
 {
     static const std::regex ours(
         "trajectory\\.tum|robot_path\\.tum|groundtruth\\.tum|covariance\\.csv|frames\\.csv|"
-        "associations\\.csv|errors\\.csv|map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|top_"
-        "view\\.png|"
-        "frame_[0-9]+\\.(png|jpg)|association_[0-9]+\\.json");
+        "associations\\.csv|errors\\.csv|map\\.csv|map\\.ply|map\\.3Dscene|summary\\.json|"
+        "top_view\\.png|frame_[0-9]+\\.(png|jpg)|association_[0-9]+\\.json");
     return std::regex_match(fileName, ours);
 }
 
