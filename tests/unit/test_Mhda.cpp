@@ -144,11 +144,49 @@ TEST(Mhda, CountsTheFramesSinceTheCommonAncestor)
     }
 }
 
+TEST(Mhda, DrawsAgainWhereNoParticleExplainsTheFrame)
+{
+    LinearWorld world = LinearWorld::withLandmarks(20, 8);
+    std::mt19937 places(1);
+    std::uniform_real_distribution<double> angle(0.0, 2.0 * M_PI);
+    for (auto& [id, candidates] : world.seen)
+    {
+        // Each landmark has a double elsewhere: no two of them agree about the camera.
+        const double direction = angle(places);
+        Candidate other = candidates.front();
+        other.z += 14.0 * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+        candidates.push_back(other);
+    }
+    const auto unexplained = [&world](int particles, int redraws)
+    {
+        const mrpt::config::CConfigFileMemory file(
+            "[association.mhda]\nparticles = " + std::to_string(particles) +
+            "\nredraws = " + std::to_string(redraws) + "\n");
+        const auto mhda = makeAssociator("mhda", file);
+        int frames = 0;
+        for (unsigned seed = 0; seed < 50; ++seed)
+        {
+            std::mt19937 rng(seed);
+            const Correction c = mhda->correct({{world.belief, 0.0}}, world.view(), rng);
+            EXPECT_EQ(c.mixture.size(), particles);
+            EXPECT_EQ(c.parents, std::vector<std::size_t>(c.mixture.size(), 0));
+            EXPECT_EQ(c.diversity.ancestorAge_frames, particles > 1 ? 1 : 0);
+            frames += count(c, Fate::Matched) < 10 ? 1 : 0;
+        }
+        return frames;
+    };
+    EXPECT_GE(unexplained(1, 0), 10);
+    EXPECT_EQ(unexplained(1, 20), 0);
+    EXPECT_GE(unexplained(2, 0), 3);
+    EXPECT_EQ(unexplained(2, 10), 0);
+}
+
 TEST(Mhda, RefusesOptionsOutOfRange)
 {
     const LinearWorld world = LinearWorld::withLandmarks(1, 7);
-    for (const char* bad : {"particles = 0", "particles = 65", "p_present = 1", "threads = 0",
-                            "weight_model = other", "association = best", "resampling = none"})
+    for (const char* bad :
+         {"particles = 0", "particles = 65", "p_present = 1", "threads = 0", "weight_model = other",
+          "redraws = -1", "association = best", "resampling = none"})
         EXPECT_THROW(run("mhda", world, std::string("[association.mhda]\n") + bad),
                      std::invalid_argument)
             << bad;

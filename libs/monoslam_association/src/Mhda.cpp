@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <stdexcept>
 
 #include "monoslam_association/BatchAssociator.h"
@@ -15,6 +16,9 @@ namespace monoslam
 namespace
 {
 constexpr double kMostParticles = 64.0;
+constexpr double kEnoughFound = 0.5;  ///< of the searched landmarks: the frame is explained
+constexpr double kSame_px = 1.0;      ///< apart: the same pixel
+constexpr long kFewest = 5;           ///< same pixels that are no chance
 
 /** Options of [association.mhda]. */
 struct MhdaOptions
@@ -22,6 +26,7 @@ struct MhdaOptions
     int particles = 2;
     Resampling resampling = Resampling::Multinomial;
     double neff_share = 0.65;  ///< of the particles, below which neff resamples
+    int redraws = 4;  ///< times that all are drawn anew in a frame that none of them explains
     int threads = 1;
     LikelihoodOptions likelihood;
     MhdaRuleOptions rule;
@@ -47,9 +52,74 @@ MhdaOptions MhdaOptions::from(const IniFile& file, const std::string& fileName)
                                             {"systematic", Resampling::Systematic},
                                             {"neff", Resampling::Neff}});
     o.neff_share = section.get("neff_share", o.neff_share, {1e-6, 1.0});
+    o.redraws = section.get("redraws", o.redraws, {0.0, 1000.0});
     o.threads = section.get("threads", o.threads, {1.0, kMostParticles});
     section.rejectUnknownKeys();
     return o;
+}
+
+/** A particle after the frame: what it found, and which of the predicted ones it was. */
+struct Drawn
+{
+    SequentialOutcome outcome;
+    std::size_t origin = 0;
+    double logWeight = 0.0;
+};
+
+/** Whether at least half of the landmarks that it searched are found. */
+bool explains(const std::vector<Association>& associations)
+{
+    long searched = 0, matched = 0;
+    for (const Association& association : associations)
+    {
+        searched += association.fate != Fate::NotSearched ? 1 : 0;
+        matched += association.fate == Fate::Matched ? 1 : 0;
+    }
+    return static_cast<double>(matched) >= kEnoughFound * static_cast<double>(searched);
+}
+
+/** Whether most of the first one's pixels, and not just a few, are the second one's too; both are sorted by landmark. */
+bool agree(const std::vector<Association>& first, const std::vector<Association>& second)
+{
+    long matched = 0, same = 0;
+    auto other = second.begin();
+    for (const Association& one : first)
+    {
+        if (one.fate != Fate::Matched) continue;
+        ++matched;
+        other = std::find_if(other, second.end(), [&](const auto& a) { return a.id >= one.id; });
+        same += other != second.end() && other->id == one.id && other->fate == Fate::Matched &&
+                        (other->z - one.z).norm() < kSame_px
+                    ? 1
+                    : 0;
+    }
+    return same >= kFewest && 2 * same > matched;
+}
+
+/** Without the beliefs, which are large. */
+Mixture lineageOf(const Mixture& particles)
+{
+    Mixture lineage;
+    for (const WeightedBelief& particle : particles)
+        lineage.push_back({{}, particle.logWeight, particle.separation});
+    return lineage;
+}
+
+bool heavier(const Drawn& a, const Drawn& b)
+{
+    return a.logWeight > b.logWeight;
+}
+
+/** Whether the heaviest explains the frame, or another one came to the same reading of it: where
+ *  much is hidden or blurred, few matches are all there are. */
+bool trusted(const std::vector<Drawn>& drawn)
+{
+    const auto best = std::min_element(drawn.begin(), drawn.end(), heavier);
+    if (explains(best->outcome.associations)) return true;
+    return std::any_of(
+        drawn.begin(), drawn.end(),
+        [&](const Drawn& one)
+        { return &one != &*best && agree(best->outcome.associations, one.outcome.associations); });
 }
 
 /** Multiple hypotheses data association: particles with a belief and associations of their own,
@@ -57,7 +127,14 @@ MhdaOptions MhdaOptions::from(const IniFile& file, const std::string& fileName)
  *
  * The weights of a frame are used in the next: resampling comes first, so that the answer bears the
  * posterior weights. It is the same as resampling at the end, for prediction is the same for equal
- * beliefs. */
+ * beliefs.
+ *
+ * A particle whose first pair is wrong finds hardly anything else. With few particles it now and
+ * then happens to all of them in one frame. Then they are drawn again, as long as the heaviest finds
+ * less than half of what it searches and no other reads the frame as it does, and the heaviest of
+ * all draws go on: the number of samples
+ * follows their likelihood. \see Fox, "Adapting the sample size in particle filters through
+ * KLD-sampling", IJRR 2003, section 2.3 */
 class Mhda : public Associator
 {
    public:
@@ -83,28 +160,26 @@ class Mhda : public Associator
                                      std::mt19937& rng) const override
     {
         Correction correction;
-        correction.mixture = resample(std::move(predicted), correction.parents, rng);
-        Mixture& particles = correction.mixture;
-        std::vector<std::mt19937> streams;
-        for (std::size_t i = 0; i < particles.size(); ++i) streams.emplace_back(rng());
-
-        const CandidateLikelihood likelihood(options_.likelihood, view.imageArea_px2);
-        std::vector<SequentialOutcome> outcomes(particles.size());
-        const double others_ms =
-            runInParallel(particles.size(), options_.threads,
-                          [&](std::size_t i)
-                          {
-                              MhdaRule rule(options_.rule, likelihood, gate_, streams[i]);
-                              outcomes[i] = measureOneByOne(std::move(particles[i].belief), view,
-                                                            settings(), rule);
-                              particles[i].belief = std::move(outcomes[i].belief);
-                              particles[i].logWeight += rule.logWeight();
-                          });
-        age(particles);
-        normalize(particles);
-        collect(std::move(outcomes), correction);
-        correction.counters.otherThreadsMs = others_ms;
-        correction.diversity = diversityOf(particles);
+        std::vector<std::size_t> parents;
+        const Mixture particles = resample(std::move(predicted), parents, rng);
+        std::vector<Drawn> drawn = draw(particles, view, rng, correction.counters);
+        for (int again = 0; again < options_.redraws && !trusted(drawn); ++again)
+            for (Drawn& one : draw(particles, view, rng, correction.counters))
+                drawn.push_back(std::move(one));
+        keepHeaviest(drawn, particles.size());
+        std::vector<std::size_t> origins;
+        for (const Drawn& one : drawn) origins.push_back(one.origin);
+        correction.mixture = descend(lineageOf(particles), origins);
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+        {
+            correction.mixture[i].belief = std::move(drawn[i].outcome.belief);
+            correction.mixture[i].logWeight = drawn[i].logWeight;
+            correction.parents.push_back(parents[drawn[i].origin]);
+        }
+        age(correction.mixture);
+        normalize(correction.mixture);
+        collect(std::move(drawn), correction);
+        correction.diversity = diversityOf(correction.mixture);
         return correction;
     }
 
@@ -113,6 +188,48 @@ class Mhda : public Associator
     {
         return {gate_, options_.likelihood.max_candidates, maxMeasured_,
                 options_.likelihood.min_zncc};
+    }
+
+    /** What becomes of every particle in the frame. */
+    [[nodiscard]] std::vector<Drawn> draw(const Mixture& particles, const FrameView& view,
+                                          std::mt19937& rng, AssociationCounters& counters) const
+    {
+        std::vector<std::mt19937> streams;
+        for (std::size_t i = 0; i < particles.size(); ++i) streams.emplace_back(rng());
+        const CandidateLikelihood likelihood(options_.likelihood, view.imageArea_px2);
+        std::vector<Drawn> drawn(particles.size());
+        counters.otherThreadsMs += runInParallel(
+            particles.size(), options_.threads,
+            [&](std::size_t i)
+            {
+                MhdaRule rule(options_.rule, likelihood, gate_, streams[i]);
+                drawn[i].outcome = measureOneByOne(particles[i].belief, view, settings(), rule);
+                drawn[i].origin = i;
+                drawn[i].logWeight = particles[i].logWeight + rule.logWeight();
+            });
+        for (const Drawn& one : drawn) addUp(one.outcome.counters, counters);
+        return drawn;
+    }
+
+    /** In the order of their origins. */
+    static void keepHeaviest(std::vector<Drawn>& drawn, std::size_t count)
+    {
+        if (drawn.size() <= count) return;
+        std::stable_sort(drawn.begin(), drawn.end(), heavier);
+        drawn.resize(count);
+        std::stable_sort(drawn.begin(), drawn.end(),
+                         [](const Drawn& a, const Drawn& b) { return a.origin < b.origin; });
+    }
+
+    /** Of all particles, those of the draws that are not kept too. */
+    static void addUp(const AssociationCounters& one, AssociationCounters& sum)
+    {
+        sum.pixelsCorrelated += one.pixelsCorrelated;
+        sum.searches += one.searches;
+        sum.faults += one.faults;
+        sum.searchMs += one.searchMs;
+        sum.selectMs += one.selectMs;
+        sum.updateMs += one.updateMs;
     }
 
     [[nodiscard]] Mixture resample(Mixture mixture, std::vector<std::size_t>& parents,
@@ -131,25 +248,15 @@ class Mhda : public Associator
         return mixture;
     }
 
-    /** Counters of all particles added up; pairs and rejected of the heaviest, whose associations
-     *  are the answer's. */
-    static void collect(std::vector<SequentialOutcome> outcomes, Correction& correction)
+    /** Pairs and rejected of the heaviest, whose associations are the answer's. */
+    static void collect(std::vector<Drawn> drawn, Correction& correction)
     {
         const std::size_t heaviest = bestIndex(correction.mixture);
-        AssociationCounters& sum = correction.counters;
-        for (std::size_t i = 0; i < outcomes.size(); ++i)
-        {
-            const AssociationCounters& one = outcomes[i].counters;
-            sum.pixelsCorrelated += one.pixelsCorrelated;
-            sum.searches += one.searches;
-            sum.faults += one.faults;
-            sum.searchMs += one.searchMs;
-            sum.selectMs += one.selectMs;
-            sum.updateMs += one.updateMs;
-            correction.ofEveryBelief.push_back(std::move(outcomes[i].associations));
-        }
-        sum.pairs = outcomes[heaviest].counters.pairs;
-        sum.rejected = outcomes[heaviest].counters.rejected;
+        const AssociationCounters& best = drawn[heaviest].outcome.counters;
+        correction.counters.pairs = best.pairs;
+        correction.counters.rejected = best.rejected;
+        for (Drawn& one : drawn)
+            correction.ofEveryBelief.push_back(std::move(one.outcome.associations));
         correction.associations = correction.ofEveryBelief[heaviest];
     }
 

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "contradiction.h"
 #include "dismissMatches.h"
 #include "postFitResiduals.h"
 #include "startBelief.h"
@@ -87,7 +88,7 @@ RecordedFrame MonoSlam::Impl::recordProblem(long index, LandmarkFinder& finder) 
 }
 
 /** Search, association and update from the predicted beliefs. */
-Correction MonoSlam::Impl::correct(const FrameContext& context)
+Correction MonoSlam::Impl::correct(const FrameContext& context, bool& contradicted)
 {
     const std::size_t expectedIndex = bestIndex(mixture);
     Belief expected = mixture[expectedIndex].belief;
@@ -101,8 +102,10 @@ Correction MonoSlam::Impl::correct(const FrameContext& context)
                      return recordProblem(context.index, own);
                  });
     LandmarkFinder finder(camera, *context.image, search, keeper.records(), expected);
-    Correction correction = associator->correct(std::move(mixture), viewOf(finder), rng);
-    if (mayBeChance(correction.associations, options.map))
+    const FrameView view = viewOf(finder);
+    Correction correction = associator->correct(std::move(mixture), view, rng);
+    contradicted = isContradicted(correction.associations, expected, view);
+    if (contradicted || mayBeChance(correction.associations, options.map))
         return dismissMatches(std::move(correction), std::move(expected), expectedIndex);
     keeper.learnSlopes(correction.associations, finder);
     return correction;
@@ -115,7 +118,7 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
         weighted.belief = engine.predict(std::move(weighted.belief), options.motion, dt_s);
     report.times.predict_ms = clock.lap_ms();
 
-    Correction correction = correct(context);
+    Correction correction = correct(context, report.contradicted);
     mixture = std::move(correction.mixture);
     report.counters = correction.counters;
     report.diversity = correction.diversity;
@@ -124,7 +127,9 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     report.times.update_ms = clock.lap_ms() + report.counters.otherThreadsMs -
                              report.counters.searchMs - report.counters.selectMs;
     const Belief& belief = best(mixture);
-    if (options.search.subpixel)
+    for (const auto& association : correction.associations)
+        if (association.fate == Fate::Matched) ++report.matched;
+    if (options.search.subpixel && report.matched > 0)  // else they are no residuals of a fit
         noise.adapt(settledResiduals(belief, camera, correction.associations, keeper.records()));
     keeper.noteResiduals(belief, correction.associations);
     if (options.estimateReadout)
@@ -133,8 +138,6 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
         camera.setReadout(readout.readout_s());
     }
     report.residualRms_px = residualRms_px(belief, camera, correction.associations);
-    for (const auto& association : correction.associations)
-        if (association.fate == Fate::Matched) ++report.matched;
     mixture = keeper.revise(std::move(mixture), correction, context);
     report.associations = std::move(correction.associations);
 }

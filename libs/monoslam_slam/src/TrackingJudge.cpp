@@ -31,7 +31,8 @@ void TrackingJudge::assess(FrameReport& report, double sigma_px, bool startUnexp
         degraded("residuals of " + std::to_string(sigma_px) + " px");
     if (restarted_) degraded("restarted after a loss: pose and scale since then are guesses");
     if (poorFrames_ == 0) return;
-    degraded("only " + std::to_string(report.matched) + " landmarks matched");
+    degraded(report.contradicted ? "matches contradicted by landmarks that are elsewhere"
+                                 : "only " + std::to_string(report.matched) + " landmarks matched");
     if (poorFrames_ >= options_.lost_after) report.state = TrackingState::Lost;
 }
 

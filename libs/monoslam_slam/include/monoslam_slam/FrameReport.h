@@ -47,6 +47,7 @@ struct FrameReport
     int visible = 0;
     int candidates = 0;  ///< tracked outside the filter
     int matched = 0;
+    bool contradicted = false;  ///< by landmarks that are elsewhere: the frame only predicted
     int added = 0;
     int removed = 0;
     double readout_s = 0.0;       ///< of the shutter, given or estimated
