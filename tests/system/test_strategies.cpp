@@ -96,6 +96,24 @@ TEST(Strategies, MhdaGivesTheSameBitsOnAnyNumberOfThreadsAndReportsItsBeliefs)
     EXPECT_GT(farthest, 0.0);
 }
 
+/** Where the camera is fast, ellipses are wide and hold much that looks like a landmark. */
+TEST(Strategies, WrongFirstPairsOfAFrameDoNotCarryTheCameraAway)
+{
+    const TemporaryFolder folder;
+    int contradicted = 0;
+    for (const std::string seed : {"1", "2", "3", "4", "5", "6"})
+    {
+        const std::string output = folder / seed;
+        run(kDesk + " --set rawlog.frame_count=130 --seed " + seed + strategy("active_search"),
+            output);
+        evaluate(shipped("datasets/desk/groundtruth.txt"), output);
+        EXPECT_LT(figure(output + "/figures.json", "SE3_ate_rmse_mm"), 5.0) << seed;
+        const std::string frames = readText(output + "/frames.csv");
+        contradicted += frames.find("matches contradicted") != std::string::npos ? 1 : 0;
+    }
+    EXPECT_GT(contradicted, 0);
+}
+
 TEST(Strategies, SecondPapersSettingsFollowTheShippedSequence)
 {
     const TemporaryFolder folder;

@@ -38,11 +38,12 @@ class HeaviestOnly : public Associator
     std::unique_ptr<Associator> whole_;
 };
 
+/** As the second paper has it: every particle is drawn once a frame. */
 Method mhdaWith(int particles, const std::string& scheme)
 {
     const std::string P = std::to_string(particles);
     return {"P = " + P + ", " + scheme, "mhda",
-            "particles = " + P + "\nresampling = " + scheme + "\n"};
+            "particles = " + P + "\nresampling = " + scheme + "\nredraws = 0\n"};
 }
 }  // namespace
 
@@ -72,6 +73,11 @@ std::vector<Method> mhdaVariants()
         methods.push_back(mhdaWith(particles, "multinomial"));
         methods.back().name = "P = " + std::to_string(particles) + ", heaviest only";
         methods.back().heaviestOnly = true;
+    }
+    for (const int particles : kParticles)
+    {
+        const std::string P = std::to_string(particles);
+        methods.push_back({"P = " + P + ", drawn again", "mhda", "particles = " + P + "\n"});
     }
     return methods;
 }
