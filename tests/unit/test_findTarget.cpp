@@ -36,6 +36,13 @@ double deskWithFrame(double x, double y)
     return deskWithRectangle(x, y);
 }
 
+/** The same beside a larger tile of the same shape, dark on a floor that is not bright. */
+double deskWithTile(double x, double y)
+{
+    if (inBox(x + 0.45, y - 0.15, 0.21, 0.1485)) return 0.05;
+    return deskWithRectangle(x, y);
+}
+
 double emptyDesk(double x, double y)
 {
     return inBox(x - 0.1, y, 0.06, 0.06) ? 0.7 : 0.3;
@@ -120,6 +127,26 @@ TEST(FindTarget, AFrameRoundSomethingElseIsNoRectangle)
     const auto result = findMetricPose(image, camera, optionsFor(MetricStartMethod::Rectangle));
     ASSERT_TRUE(result.found) << result.reason;
     EXPECT_LT((result.found->pose - truth).head<3>().norm(), 0.005);
+}
+
+TEST(FindTarget, TheStrongestEdgesAreTheTargetsNotTheLargestTiles)
+{
+    const Camera camera = wideCamera();
+    const Vector7d truth = lookAt({-0.15, -0.4, 0.65}, {-0.2, 0.05, 0.0}, 0.0);
+    const cv::Mat image = renderPlane({deskWithTile}, camera, truth, {0.6, 2.0, true, 3});
+    const auto result = findMetricPose(image, camera, optionsFor(MetricStartMethod::Rectangle));
+    ASSERT_TRUE(result.found) << result.reason;
+    EXPECT_LT((result.found->pose - truth).head<3>().norm(), 0.005);
+}
+
+TEST(FindTarget, ASmallBlurredRectangleIsFilledToo)
+{
+    const Camera camera = wideCamera();
+    const Vector7d truth = lookAt({0.3, -0.9, 0.45}, {0.0, 0.0, 0.0}, 0.0);
+    const cv::Mat image = renderPlane({deskWithRectangle}, camera, truth, {1.2, 2.0, true, 4});
+    const auto result = findMetricPose(image, camera, optionsFor(MetricStartMethod::Rectangle));
+    ASSERT_TRUE(result.found) << result.reason;
+    EXPECT_LT(cornerError(*result.found, camera, truth), 1.0);
 }
 
 TEST(FindTarget, AnAbsentRectangleIsSaidToBeAbsent)

@@ -19,7 +19,9 @@ namespace
 constexpr double kContourSigma_px = 1.5;
 constexpr std::size_t kMostRefined = 20;
 constexpr double kLeastFilled = 0.9;  ///< share of the enclosed pixels that are dark
-constexpr double kRivalArea = 0.5;    ///< of the largest: a smaller rectangle is no rival
+constexpr int kEdge_px = 2;           ///< from a side on, a pixel is wholly inside
+constexpr double kDark = 0.5;         ///< of the surroundings' grey: a darker rectangle is dark
+constexpr double kRival = 0.5;        ///< of the best evidence: less is no rival
 
 /** The quad labelled as the world's rectangle, starting at its corner k. */
 SeenPoints labelled(const Quad& quad, int k, double sigma_px, const MetricStartOptions& options)
@@ -82,10 +84,27 @@ bool plausible(const Quad& quad, const Camera& camera, const MetricStartOptions&
     return false;
 }
 
+double perimeterOf(const Quad& quad)
+{
+    double length_px = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) length_px += (quad[(k + 1) % 4] - quad[k]).norm();
+    return length_px;
+}
+
 bool darkInside(const EdgeFit& fit)
 {
     return std::all_of(fit.sides.begin(), fit.sides.end(),
-                       [](const SideFit& side) { return side.inside < side.outside; });
+                       [](const SideFit& side) { return side.inside < kDark * side.outside; });
+}
+
+/** How much the sides tell about where they are: squared contrast of the weakest times the length of
+ *  all [px]. A printed target has strong edges; tiles and shadows may be larger. */
+double evidenceOf(const EdgeQuad& edges)
+{
+    double contrast = 1.0;
+    for (const SideFit& side : edges.fit.sides)
+        contrast = std::min(contrast, side.outside - side.inside);
+    return contrast * contrast * perimeterOf(edges.corners_px);
 }
 
 /** Whether what the sides enclose is dark as well: a frame round something else is no rectangle. */
@@ -101,6 +120,8 @@ bool filled(const cv::Mat& image, const EdgeQuad& edges)
     for (cv::Point& corner : corners) corner -= box.tl();
     cv::Mat inside = cv::Mat::zeros(box.size(), CV_8UC1);
     cv::fillConvexPoly(inside, corners, 255);
+    cv::erode(inside, inside, cv::Mat::ones(2 * kEdge_px + 1, 2 * kEdge_px + 1, CV_8UC1), {-1, -1},
+              1, cv::BORDER_CONSTANT, 0);
     const cv::Mat dark = inside & (image(box) < middle);
     return cv::countNonZero(dark) >= kLeastFilled * cv::countNonZero(inside);
 }
@@ -114,14 +135,8 @@ bool sameAs(const std::optional<MetricPose>& pose, const Quad& quad)
     return between_px.norm() < 2.0;
 }
 
-double areaOf(const Quad& quad)
-{
-    const Eigen::Vector2d a = quad[2] - quad[0];
-    const Eigen::Vector2d b = quad[3] - quad[1];
-    return 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
-}
-
-/** Pose from the largest filled dark quadrilateral that is a view of the known rectangle.
+/** Pose from the filled dark quadrilateral of the strongest edges that is a view of the known
+ *  rectangle. Small ones always are, more or less: a tile in perspective has any shape.
  *
  * Which side is the longer one is decided by the reprojection error. The half turn that remains
  * (and, for a square, the quarter turns) is decided by convention: the camera is above the plane,
@@ -129,30 +144,34 @@ double areaOf(const Quad& quad)
 MetricStartResult findRectangle(const cv::Mat& image, const Camera& camera,
                                 const MetricStartOptions& options)
 {
-    MetricStartResult first;
-    first.reason = "no dark rectangle of that shape in the image";
+    MetricStartResult best;
+    best.reason = "no dark rectangle of that shape in the image";
+    std::vector<double> evidence;
+    double strongest = 0.0;
     std::size_t tried = 0;
-    std::size_t fitting = 0;
-    double area = 0.0;
     for (const auto& quad : findDarkQuads(image, camera))
     {
-        if (areaOf(quad) < kRivalArea * area || tried == kMostRefined) break;
+        // The largest come first: no contrast makes up for sides that are too short.
+        if (tried == kMostRefined || perimeterOf(quad) < strongest) break;
         if (!plausible(quad, camera, options)) continue;
         const auto edges = refineEdgeQuad(image, camera, quad);
         if (!edges || !darkInside(edges->fit) || !filled(image, *edges)) continue;
-        if (sameAs(first.found, edges->corners_px)) continue;
+        if (sameAs(best.found, edges->corners_px)) continue;
         MetricStartResult result = poseOfRectangle(edges->corners_px, camera, options);
-        const bool largest = result.found && fitting == 0;
-        fitting += result.found ? 1 : 0;
-        if (largest) area = areaOf(quad);
-        if (largest)
-            first = std::move(result);
-        else if (tried++ == 0 && !first.found)
-            first.reason = "largest dark quadrilateral: " + result.reason;
+        if (result.found)
+            evidence.push_back(evidenceOf(*edges));
+        else if (tried++ == 0 && !best.found)
+            best.reason = "largest dark quadrilateral: " + result.reason;
+        if (!result.found || evidence.back() <= strongest) continue;
+        strongest = evidence.back();
+        best = std::move(result);
     }
-    if (fitting > 1)
-        first.reason = std::to_string(fitting) + " rectangles fit; the largest was taken";
-    return first;
+    const auto rivals = std::count_if(evidence.begin(), evidence.end(),
+                                      [&](double e) { return e >= kRival * strongest; });
+    if (rivals > 1)
+        best.reason =
+            std::to_string(rivals) + " rectangles fit; the one of strongest edges was taken";
+    return best;
 }
 MetricStartResult poseOf(const TargetSearch& search, const Camera& camera)
 {
