@@ -43,6 +43,11 @@ double deskWithTile(double x, double y)
     return deskWithRectangle(x, y);
 }
 
+double deskWithTwins(double x, double y)
+{
+    return deskWithRectangle(x < -0.17 ? x + 0.34 : x, y);
+}
+
 double emptyDesk(double x, double y)
 {
     return inBox(x - 0.1, y, 0.06, 0.06) ? 0.7 : 0.3;
@@ -137,6 +142,16 @@ TEST(FindTarget, TheStrongestEdgesAreTheTargetsNotTheLargestTiles)
     const auto result = findMetricPose(image, camera, optionsFor(MetricStartMethod::Rectangle));
     ASSERT_TRUE(result.found) << result.reason;
     EXPECT_LT((result.found->pose - truth).head<3>().norm(), 0.005);
+}
+
+TEST(FindTarget, ARivalIsNamed)
+{
+    const Camera camera = wideCamera();
+    const Vector7d truth = lookAt({-0.15, -0.4, 0.5}, {-0.15, 0.05, 0.0}, 0.0);
+    const cv::Mat image = renderPlane({deskWithTwins}, camera, truth, {0.6, 2.0, true, 3});
+    const auto result = findMetricPose(image, camera, optionsFor(MetricStartMethod::Rectangle));
+    ASSERT_TRUE(result.found);
+    EXPECT_EQ(result.reason, "2 rectangles fit; the one of strongest edges was taken");
 }
 
 TEST(FindTarget, ASmallBlurredRectangleIsFilledToo)

@@ -38,12 +38,14 @@ class HeaviestOnly : public Associator
     std::unique_ptr<Associator> whole_;
 };
 
-/** As the second paper has it: every particle is drawn once a frame. */
+/** As the second paper has it: it is its claim that is tested. */
+const std::string kDrawnOnce = "redraws = 0\n";
+
 Method mhdaWith(int particles, const std::string& scheme)
 {
     const std::string P = std::to_string(particles);
     return {"P = " + P + ", " + scheme, "mhda",
-            "particles = " + P + "\nresampling = " + scheme + "\nredraws = 0\n"};
+            kDrawnOnce + "particles = " + P + "\nresampling = " + scheme + "\n"};
 }
 }  // namespace
 
@@ -58,7 +60,8 @@ std::shared_ptr<const Associator> Method::make() const
 std::vector<Method> allStrategies()
 {
     std::vector<Method> methods;
-    for (const std::string& name : associatorNames()) methods.push_back({name, name});
+    for (const std::string& name : associatorNames())
+        methods.push_back({name, name, name == "mhda" ? kDrawnOnce : ""});
     return methods;
 }
 
@@ -73,11 +76,6 @@ std::vector<Method> mhdaVariants()
         methods.push_back(mhdaWith(particles, "multinomial"));
         methods.back().name = "P = " + std::to_string(particles) + ", heaviest only";
         methods.back().heaviestOnly = true;
-    }
-    for (const int particles : kParticles)
-    {
-        const std::string P = std::to_string(particles);
-        methods.push_back({"P = " + P + ", drawn again", "mhda", "particles = " + P + "\n"});
     }
     return methods;
 }

@@ -25,13 +25,16 @@ void MonoSlam::Impl::check(const Frame& frame) const
         throw std::invalid_argument(where + "time does not increase");
 }
 
-/** Puts the first belief up; returns why that is not possible yet. */
+/** Puts the first belief up; returns why that is not possible yet, or what is to be said of the
+ *  target that was found. */
 std::string MonoSlam::Impl::start(const FrameContext& context, const cv::Mat& image)
 {
+    std::string note;
     if (options.metricStart.method != MetricStartMethod::None)
     {
         const MetricStartResult result = findMetricPose(image, camera, options.metricStart);
-        if (!result.found) return result.reason;
+        note = result.reason;
+        if (!result.found) return note;
         target = result.found;
     }
     StartBelief first = startBelief(target ? &*target : nullptr, options.initialization);
@@ -40,7 +43,7 @@ std::string MonoSlam::Impl::start(const FrameContext& context, const cv::Mat& im
     mixture = keeper.addFirst(std::move(mixture), context, first.rho0, first.sigma_rho);
     if (!options.start.parallax_deg.empty())
         window.emplace(options.start, camera, target.has_value());
-    return {};
+    return note;
 }
 
 /** A new map around the last pose, in the old map's median depth, when nothing matches any more. */

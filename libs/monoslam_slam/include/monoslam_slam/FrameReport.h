@@ -40,7 +40,8 @@ struct FrameReport
     double t_s = 0.0;
     long index = 0;
     TrackingState state = TrackingState::Waiting;
-    std::string remark;  ///< why degraded, lost or waiting; empty otherwise
+    std::string
+        remark;  ///< why degraded, lost or waiting; of the first pose, a doubt about its target
     Vector13d x_v = Vector13d::Zero();
     Matrix13d P_v = Matrix13d::Zero();
     int landmarks = 0;  ///< in the state
