@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "findTarget.h"
 #include "monoslam_models/quaternion.h"
 #include "planarPose.h"
+#include "rectangleEvidence.h"
 
 namespace monoslam
 {
@@ -18,10 +18,7 @@ namespace
 {
 constexpr double kContourSigma_px = 1.5;
 constexpr std::size_t kMostRefined = 20;
-constexpr double kLeastFilled = 0.9;  ///< share of the enclosed pixels that are dark
-constexpr int kEdge_px = 2;           ///< from a side on, a pixel is wholly inside
-constexpr double kDark = 0.5;         ///< of the surroundings' grey: a darker rectangle is dark
-constexpr double kRival = 0.5;        ///< of the best evidence: less is no rival
+constexpr double kRival = 0.5;  ///< of the best evidence: less is no rival
 
 /** The quad labelled as the world's rectangle, starting at its corner k. */
 SeenPoints labelled(const Quad& quad, int k, double sigma_px, const MetricStartOptions& options)
@@ -84,48 +81,6 @@ bool plausible(const Quad& quad, const Camera& camera, const MetricStartOptions&
     return false;
 }
 
-double perimeterOf(const Quad& quad)
-{
-    double length_px = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) length_px += (quad[(k + 1) % 4] - quad[k]).norm();
-    return length_px;
-}
-
-bool darkInside(const EdgeFit& fit)
-{
-    return std::all_of(fit.sides.begin(), fit.sides.end(),
-                       [](const SideFit& side) { return side.inside < kDark * side.outside; });
-}
-
-/** How much the sides tell about where they are: squared contrast of the weakest times the length of
- *  all [px]. A printed target has strong edges; tiles and shadows may be larger. */
-double evidenceOf(const EdgeQuad& edges)
-{
-    double contrast = 1.0;
-    for (const SideFit& side : edges.fit.sides)
-        contrast = std::min(contrast, side.outside - side.inside);
-    return contrast * contrast * perimeterOf(edges.corners_px);
-}
-
-/** Whether what the sides enclose is dark as well: a frame round something else is no rectangle. */
-bool filled(const cv::Mat& image, const EdgeQuad& edges)
-{
-    double middle = 0.0;
-    for (const SideFit& side : edges.fit.sides)
-        middle += 255.0 * (side.inside + side.outside) / 8.0;
-    std::vector<cv::Point> corners;
-    for (const Eigen::Vector2d& corner : edges.corners_px)
-        corners.emplace_back(cvRound(corner.x()), cvRound(corner.y()));
-    const cv::Rect box = cv::boundingRect(corners) & cv::Rect({}, image.size());
-    for (cv::Point& corner : corners) corner -= box.tl();
-    cv::Mat inside = cv::Mat::zeros(box.size(), CV_8UC1);
-    cv::fillConvexPoly(inside, corners, 255);
-    cv::erode(inside, inside, cv::Mat::ones(2 * kEdge_px + 1, 2 * kEdge_px + 1, CV_8UC1), {-1, -1},
-              1, cv::BORDER_CONSTANT, 0);
-    const cv::Mat dark = inside & (image(box) < middle);
-    return cv::countNonZero(dark) >= kLeastFilled * cv::countNonZero(inside);
-}
-
 /** Two thresholds may find the same rectangle with different rough corners. */
 bool sameAs(const std::optional<MetricPose>& pose, const Quad& quad)
 {
@@ -153,17 +108,18 @@ MetricStartResult findRectangle(const cv::Mat& image, const Camera& camera,
     {
         // The largest come first: no contrast makes up for sides that are too short.
         if (tried == kMostRefined || perimeterOf(quad) < strongest) break;
-        if (!plausible(quad, camera, options)) continue;
+        if (!roughlyDark(image, quad) || !plausible(quad, camera, options)) continue;
         const auto edges = refineEdgeQuad(image, camera, quad);
-        if (!edges || !darkInside(edges->fit) || !filled(image, *edges)) continue;
+        const double strength = edges ? evidenceOfRectangle(image, *edges) : 0.0;
+        if (!(strength > 0.0)) continue;
         if (sameAs(best.found, edges->corners_px)) continue;
         MetricStartResult result = poseOfRectangle(edges->corners_px, camera, options);
         if (result.found)
-            evidence.push_back(evidenceOf(*edges));
+            evidence.push_back(strength);
         else if (tried++ == 0 && !best.found)
             best.reason = "largest dark quadrilateral: " + result.reason;
-        if (!result.found || evidence.back() <= strongest) continue;
-        strongest = evidence.back();
+        if (!result.found || strength <= strongest) continue;
+        strongest = strength;
         best = std::move(result);
     }
     const auto rivals = std::count_if(evidence.begin(), evidence.end(),
