@@ -20,7 +20,8 @@ struct Method
     [[nodiscard]] std::shared_ptr<const Associator> make() const;
 };
 
-/** Every registered strategy with its defaults, but MHDA draws once a frame, as the second paper has it. */
+/** Every registered strategy with its defaults, but MHDA draws once a frame, as the second paper
+ *  has it. */
 [[nodiscard]] std::vector<Method> allStrategies();
 
 /** MHDA with every number of particles under study and every resampling scheme; at last without

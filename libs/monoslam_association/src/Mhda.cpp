@@ -78,7 +78,8 @@ bool explains(const std::vector<Association>& associations)
     return static_cast<double>(matched) >= kEnoughFound * static_cast<double>(searched);
 }
 
-/** Whether most of the first one's pixels, and not just a few, are the second one's too; both are sorted by landmark. */
+/** Whether most of the first one's pixels, and not just a few, are the second one's too. Both are
+ *  sorted by landmark. */
 bool agree(const std::vector<Association>& first, const std::vector<Association>& second)
 {
     long matched = 0, same = 0;
@@ -132,9 +133,8 @@ bool trusted(const std::vector<Drawn>& drawn)
  * A particle whose first pair is wrong finds hardly anything else. With few particles it now and
  * then happens to all of them in one frame. Then they are drawn again, as long as the heaviest finds
  * less than half of what it searches and no other reads the frame as it does, and the heaviest of
- * all draws go on: the number of samples
- * follows their likelihood. \see Fox, "Adapting the sample size in particle filters through
- * KLD-sampling", IJRR 2003, section 2.3 */
+ * all draws go on: the number of samples follows their likelihood.
+ * \see Fox, "Adapting the sample size in particle filters through KLD-sampling", IJRR 2003 */
 class Mhda : public Associator
 {
    public:
