@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "builtPlaces.h"
+
 namespace monoslam
 {
 /** Folder of the real sequences, which are not ours to ship: MONOSLAM_DATASETS, else

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "associatorRuns.h"
+#include "builtPlaces.h"
 
 namespace monoslam::test
 {

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import worlds
-from batches import CONFIGURATIONS, Batch
+from batches import CONFIGURATIONS, Batch, by_configuration
 from methods import CAPPED, MHDA, PLAIN, STRATEGIES, STRATEGY_OF_VARIANT, cap_settings
 
 
@@ -13,6 +13,7 @@ class Size:
     lengths: tuple  # frames of the two tables
     moved_frames: int
     seeds: int
+    own_seeds: int  # at most, with our defaults, which the paper does not have
     recovery_seeds: int
     capped_seeds: int
     sweep_seeds: int
@@ -30,8 +31,8 @@ SWEEPS = {"particles": (1, 2, 4, 8, 16),
           "p_present": (0.5, 0.7, 0.8, 0.9, 0.95, 0.99),
           "p_search": (0.5, 0.8, 0.9, 0.95, 0.99, 0.999),
           "clutter_per_image": (1, 5, 20, 50, 100, 400)}
-FULL = Size((200, 600), 200, 20, 10, 3, 5, 2.0, 2_500_000, (480, 320), 200, 3, 2, SWEEPS, 40)
-QUICK = Size((20, 40), 40, 1, 1, 1, 1, 0.02, 20_000, (240, 160), 20, 1, 0,
+FULL = Size((200, 600), 200, 20, 5, 10, 3, 5, 2.0, 2_500_000, (480, 320), 200, 3, 2, SWEEPS, 40)
+QUICK = Size((20, 40), 40, 1, 1, 1, 1, 1, 0.02, 20_000, (240, 160), 20, 1, 0,
              {"particles": (1, 2), "p_present": (0.7, 0.9), "p_search": (0.9, 0.95),
               "clutter_per_image": (20, 100)}, 0)
 
@@ -66,8 +67,9 @@ def sequences(folder, moved, output, size):
 
 def batches(office, disturbed, small, size):
     """All batches on the rendered worlds, the longest runs first, so that none of them is left at the end."""
-    found = [capped_batch(f"capped-{s.frames}", [s], size, size.capped_seeds) for s in reversed(office)]
-    found += [table_batch("table2", office[::-1], size), table_batch("recovery", [disturbed], size, size.recovery_seeds)]
+    both = [capped_batch(f"capped-{s.frames}", [s], size, size.capped_seeds) for s in reversed(office)]
+    both += [table_batch("table2", office[::-1], size), table_batch("recovery", [disturbed], size, size.recovery_seeds)]
+    found = [part for batch in both for part in by_configuration(batch, size.own_seeds)]
     for parameter, values in size.sweeps.items():
         with_moved = [office[0], disturbed] if parameter == "particles" else [office[0]]
         found.append(sweep_batch(parameter, values, with_moved, size))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <stdexcept>
 
+#include "drawnParticles.h"
 #include "monoslam_association/BatchAssociator.h"
 #include "monoslam_association/MhdaRule.h"
 #include "monoslam_association/drawParents.h"
@@ -16,9 +16,6 @@ namespace monoslam
 namespace
 {
 constexpr double kMostParticles = 64.0;
-constexpr double kEnoughFound = 0.5;  ///< of the searched landmarks: the frame is explained
-constexpr double kSame_px = 1.0;      ///< apart: the same pixel
-constexpr long kFewest = 5;           ///< same pixels that are no chance
 
 /** Options of [association.mhda]. */
 struct MhdaOptions
@@ -58,45 +55,6 @@ MhdaOptions MhdaOptions::from(const IniFile& file, const std::string& fileName)
     return o;
 }
 
-/** A particle after the frame: what it found, and which of the predicted ones it was. */
-struct Drawn
-{
-    SequentialOutcome outcome;
-    std::size_t origin = 0;
-    double logWeight = 0.0;
-};
-
-/** Whether at least half of the landmarks that it searched are found. */
-bool explains(const std::vector<Association>& associations)
-{
-    long searched = 0, matched = 0;
-    for (const Association& association : associations)
-    {
-        searched += association.fate != Fate::NotSearched ? 1 : 0;
-        matched += association.fate == Fate::Matched ? 1 : 0;
-    }
-    return static_cast<double>(matched) >= kEnoughFound * static_cast<double>(searched);
-}
-
-/** Whether most of the first one's pixels, and not just a few, are the second one's too. Both are
- *  sorted by landmark. */
-bool agree(const std::vector<Association>& first, const std::vector<Association>& second)
-{
-    long matched = 0, same = 0;
-    auto other = second.begin();
-    for (const Association& one : first)
-    {
-        if (one.fate != Fate::Matched) continue;
-        ++matched;
-        other = std::find_if(other, second.end(), [&](const auto& a) { return a.id >= one.id; });
-        same += other != second.end() && other->id == one.id && other->fate == Fate::Matched &&
-                        (other->z - one.z).norm() < kSame_px
-                    ? 1
-                    : 0;
-    }
-    return same >= kFewest && 2 * same > matched;
-}
-
 /** Without the beliefs, which are large. */
 Mixture lineageOf(const Mixture& particles)
 {
@@ -104,23 +62,6 @@ Mixture lineageOf(const Mixture& particles)
     for (const WeightedBelief& particle : particles)
         lineage.push_back({{}, particle.logWeight, particle.separation});
     return lineage;
-}
-
-bool heavier(const Drawn& a, const Drawn& b)
-{
-    return a.logWeight > b.logWeight;
-}
-
-/** Whether the heaviest explains the frame, or another one came to the same reading of it: where
- *  much is hidden or blurred, few matches are all there are. */
-bool trusted(const std::vector<Drawn>& drawn)
-{
-    const auto best = std::min_element(drawn.begin(), drawn.end(), heavier);
-    if (explains(best->outcome.associations)) return true;
-    return std::any_of(
-        drawn.begin(), drawn.end(),
-        [&](const Drawn& one)
-        { return &one != &*best && agree(best->outcome.associations, one.outcome.associations); });
 }
 
 /** Multiple hypotheses data association: particles with a belief and associations of their own,
@@ -162,13 +103,13 @@ class Mhda : public Associator
         Correction correction;
         std::vector<std::size_t> parents;
         const Mixture particles = resample(std::move(predicted), parents, rng);
-        std::vector<Drawn> drawn = draw(particles, view, rng, correction.counters);
-        for (int again = 0; again < options_.redraws && !trusted(drawn); ++again)
-            for (Drawn& one : draw(particles, view, rng, correction.counters))
+        std::vector<DrawnParticle> drawn = draw(particles, view, rng, correction.counters);
+        for (int again = 0; again < options_.redraws && !isTrusted(drawn); ++again)
+            for (DrawnParticle& one : draw(particles, view, rng, correction.counters))
                 drawn.push_back(std::move(one));
-        keepHeaviest(drawn, particles.size());
+        drawn = heaviestOf(std::move(drawn), particles.size());
         std::vector<std::size_t> origins;
-        for (const Drawn& one : drawn) origins.push_back(one.origin);
+        for (const DrawnParticle& one : drawn) origins.push_back(one.origin);
         correction.mixture = descend(lineageOf(particles), origins);
         for (std::size_t i = 0; i < drawn.size(); ++i)
         {
@@ -191,13 +132,14 @@ class Mhda : public Associator
     }
 
     /** What becomes of every particle in the frame. */
-    [[nodiscard]] std::vector<Drawn> draw(const Mixture& particles, const FrameView& view,
-                                          std::mt19937& rng, AssociationCounters& counters) const
+    [[nodiscard]] std::vector<DrawnParticle> draw(const Mixture& particles, const FrameView& view,
+                                                  std::mt19937& rng,
+                                                  AssociationCounters& counters) const
     {
         std::vector<std::mt19937> streams;
         for (std::size_t i = 0; i < particles.size(); ++i) streams.emplace_back(rng());
         const CandidateLikelihood likelihood(options_.likelihood, view.imageArea_px2);
-        std::vector<Drawn> drawn(particles.size());
+        std::vector<DrawnParticle> drawn(particles.size());
         counters.otherThreadsMs += runInParallel(
             particles.size(), options_.threads,
             [&](std::size_t i)
@@ -207,18 +149,8 @@ class Mhda : public Associator
                 drawn[i].origin = i;
                 drawn[i].logWeight = particles[i].logWeight + rule.logWeight();
             });
-        for (const Drawn& one : drawn) addUp(one.outcome.counters, counters);
+        for (const DrawnParticle& one : drawn) addUp(one.outcome.counters, counters);
         return drawn;
-    }
-
-    /** In the order of their origins. */
-    static void keepHeaviest(std::vector<Drawn>& drawn, std::size_t count)
-    {
-        if (drawn.size() <= count) return;
-        std::stable_sort(drawn.begin(), drawn.end(), heavier);
-        drawn.resize(count);
-        std::stable_sort(drawn.begin(), drawn.end(),
-                         [](const Drawn& a, const Drawn& b) { return a.origin < b.origin; });
     }
 
     /** Of all particles, those of the draws that are not kept too. */
@@ -249,13 +181,13 @@ class Mhda : public Associator
     }
 
     /** Pairs and rejected of the heaviest, whose associations are the answer's. */
-    static void collect(std::vector<Drawn> drawn, Correction& correction)
+    static void collect(std::vector<DrawnParticle> drawn, Correction& correction)
     {
         const std::size_t heaviest = bestIndex(correction.mixture);
         const AssociationCounters& best = drawn[heaviest].outcome.counters;
         correction.counters.pairs = best.pairs;
         correction.counters.rejected = best.rejected;
-        for (Drawn& one : drawn)
+        for (DrawnParticle& one : drawn)
             correction.ofEveryBelief.push_back(std::move(one.outcome.associations));
         correction.associations = correction.ofEveryBelief[heaviest];
     }

@@ -5,6 +5,7 @@
 
 #include "contradiction.h"
 #include "dismissMatches.h"
+#include "monoslam_association/fateCounts.h"
 #include "postFitResiduals.h"
 #include "startBelief.h"
 
@@ -91,7 +92,7 @@ RecordedFrame MonoSlam::Impl::recordProblem(long index, LandmarkFinder& finder) 
 }
 
 /** Search, association and update from the predicted beliefs. */
-Correction MonoSlam::Impl::correct(const FrameContext& context, bool& contradicted)
+Correction MonoSlam::Impl::correct(const FrameContext& context, FrameReport& report)
 {
     const std::size_t expectedIndex = bestIndex(mixture);
     Belief expected = mixture[expectedIndex].belief;
@@ -107,8 +108,8 @@ Correction MonoSlam::Impl::correct(const FrameContext& context, bool& contradict
     LandmarkFinder finder(camera, *context.image, search, keeper.records(), expected);
     const FrameView view = viewOf(finder);
     Correction correction = associator->correct(std::move(mixture), view, rng);
-    contradicted = isContradicted(correction.associations, expected, view);
-    if (contradicted || mayBeChance(correction.associations, options.map))
+    report.contradicted = isContradicted(correction.associations, expected, view);
+    if (report.contradicted || mayBeChance(correction.associations, options.map))
         return dismissMatches(std::move(correction), std::move(expected), expectedIndex);
     keeper.learnSlopes(correction.associations, finder);
     return correction;
@@ -121,7 +122,7 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
         weighted.belief = engine.predict(std::move(weighted.belief), options.motion, dt_s);
     report.times.predict_ms = clock.lap_ms();
 
-    Correction correction = correct(context, report.contradicted);
+    Correction correction = correct(context, report);
     mixture = std::move(correction.mixture);
     report.counters = correction.counters;
     report.diversity = correction.diversity;
@@ -130,8 +131,7 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     report.times.update_ms = clock.lap_ms() + report.counters.otherThreadsMs -
                              report.counters.searchMs - report.counters.selectMs;
     const Belief& belief = best(mixture);
-    for (const auto& association : correction.associations)
-        if (association.fate == Fate::Matched) ++report.matched;
+    report.matched = static_cast<int>(countFates(correction.associations).matched);
     if (options.search.subpixel && report.matched > 0)  // else they are no residuals of a fit
         noise.adapt(settledResiduals(belief, camera, correction.associations, keeper.records()));
     keeper.noteResiduals(belief, correction.associations);

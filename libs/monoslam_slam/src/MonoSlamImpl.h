@@ -54,7 +54,7 @@ struct MonoSlam::Impl
     std::string start(const FrameContext& context, const cv::Mat& image);
     void restart(const FrameContext& context);
     void track(const FrameContext& context, double dt_s, FrameReport& report, ThreadClock& clock);
-    [[nodiscard]] Correction correct(const FrameContext& context, bool& contradicted);
+    [[nodiscard]] Correction correct(const FrameContext& context, FrameReport& report);
     [[nodiscard]] VisibilityOptions visibility() const;
     [[nodiscard]] FrameView viewOf(LandmarkFinder& finder) const;
     [[nodiscard]] RecordedFrame recordProblem(long index, LandmarkFinder& finder) const;

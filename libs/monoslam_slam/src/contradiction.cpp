@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "monoslam_association/fateCounts.h"
 #include "monoslam_association/jointCompatibility.h"
 
 namespace monoslam
@@ -39,14 +40,8 @@ bool isSeen(const PredictedLandmark& row, const FrameView& view)
 bool isContradicted(const std::vector<Association>& associations, const Belief& predicted,
                     const FrameView& view)
 {
-    const auto count = [&associations](Fate fate)
-    {
-        return static_cast<double>(std::count_if(associations.begin(), associations.end(),
-                                                 [fate](const auto& a) { return a.fate == fate; }));
-    };
-    const double matched = count(Fate::Matched), missed = count(Fate::NotFound);
-    if (missed == 0.0 || matched >= kHalf * (matched + missed + count(Fate::Rejected)))
-        return false;
+    const FateCounts counts = countFates(associations);
+    if (counts.notFound == 0 || explainsFrame(counts)) return false;
     const std::vector<LandmarkId> asked = someMissed(associations);
     const Prediction prior = view.predict(predicted);
     double seen = 0.0;
@@ -54,6 +49,7 @@ bool isContradicted(const std::vector<Association>& associations, const Belief& 
         if (std::find(asked.begin(), asked.end(), row.id) != asked.end())
             seen += isSeen(row, view) ? 1.0 : 0.0;
     const double share = seen / static_cast<double>(asked.size());
-    return share > kHalf && share * missed > matched;
+    return share > kHalf &&
+           share * static_cast<double>(counts.notFound) > static_cast<double>(counts.matched);
 }
 }  // namespace monoslam

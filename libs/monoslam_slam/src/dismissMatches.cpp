@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dismissMatches.h"
 
-#include <algorithm>
+#include "monoslam_association/fateCounts.h"
 
 namespace monoslam
 {
@@ -13,12 +13,11 @@ constexpr double kLeastShare = 0.3;  ///< of the searched: fewer do not come fro
 
 bool mayBeChance(const std::vector<Association>& associations, const MapOptions& options)
 {
-    const auto matched = std::count_if(associations.begin(), associations.end(),
-                                       [](const auto& a) { return a.fate == Fate::Matched; });
-    const auto searched = std::count_if(associations.begin(), associations.end(),
-                                        [](const auto& a) { return a.fate != Fate::NotSearched; });
-    if (matched < kPoseFixing) return true;
-    return matched < options.min_matched && matched < kLeastShare * static_cast<double>(searched);
+    const FateCounts counts = countFates(associations);
+    if (counts.matched < kPoseFixing) return true;
+    return counts.matched < options.min_matched &&
+           static_cast<double>(counts.matched) <
+               kLeastShare * static_cast<double>(counts.searched());
 }
 
 Correction dismissMatches(Correction correction, Belief predicted, std::size_t parent)
