@@ -19,6 +19,7 @@ enum class Guess
 {
     Right,     ///< depths and poses nearly true
     Mirrored,  ///< near and far exchanged, the motion reversed, a rotation that hides both
+    Still,     ///< one depth for all, no motion, a rotation instead: there is no parallax to see
 };
 
 struct SimulatedStartOptions
@@ -131,6 +132,7 @@ class SimulatedStart
     {
         const double rho = 1.0 / point(id).norm();
         if (options_.guess == Guess::Mirrored) return 2.0 * kMiddleRho - rho;
+        if (options_.guess == Guess::Still) return kMiddleRho;
         return rho * std::exp(uniform(rng_, -0.1, 0.1));
     }
 
@@ -139,10 +141,11 @@ class SimulatedStart
         Vector7d pose = truePose(k);
         if (k == 0) return pose;
         Eigen::Vector3d turn = normalVector<3>(rng_, 1e-3);
-        if (options_.guess == Guess::Mirrored)
+        if (options_.guess != Guess::Right)
         {
-            turn += 2.0 * kMiddleRho * Eigen::Vector3d(-pose.y(), pose.x(), 0.0);
-            pose.head<3>() = -pose.head<3>().eval();
+            const double wrong = options_.guess == Guess::Mirrored ? 2.0 : 1.0;  // times the motion
+            turn += wrong * kMiddleRho * Eigen::Vector3d(-pose.y(), pose.x(), 0.0);
+            pose.head<3>() *= 1.0 - wrong;
         }
         pose.tail<4>() = quaternionProduct(pose.tail<4>(), quaternionExp(turn));
         return pose;

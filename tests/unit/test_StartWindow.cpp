@@ -87,6 +87,23 @@ TEST(StartWindow, ComparesWithOtherStructuresEvenIfTheGuessExplainsThePixels)
     }
 }
 
+/** Where the filter believes in a rotation, no threshold of the parallax is ever passed. */
+TEST(StartWindow, FindsAParallaxThatTheFilterDoesNotSee)
+{
+    SimulatedStartOptions options;
+    options.guess = Guess::Still;
+    for (unsigned seed = 1; seed <= 5; ++seed)
+    {
+        SimulatedStart start(options, seed);
+        const auto refined = start.run();
+        ASSERT_TRUE(refined) << seed;
+        EXPECT_LT(start.frame(), 40) << seed;
+        const double s = scaleOf(refined->belief, start.frame());
+        const Vector6d e = errorOf(refined->belief, start.frame(), s);
+        EXPECT_LT(e.head<3>().norm(), 0.05 * refined->belief.x.head<3>().norm()) << seed;
+    }
+}
+
 TEST(StartWindow, KnowsHowWellItKnowsPoseAndVelocity)
 {
     constexpr int kRuns = 50;

@@ -93,13 +93,13 @@ def write_rates(document, runs, size):
     return by_configuration["paper"]
 
 
-def write_real(document, runs, size):
+def write_real(document, runs):
     own = runs[runs.batch == "real"]
     if own.empty:
         document.add("Real sequences", "Not run: no folder of real sequences is present (`MONOSLAM_DATASETS`).")
         return
     for configuration in NAMES:
-        document.add(f"Real sequences: {NAMES[configuration]}", f"{size.real_seeds} seeds, medians. Errors after the "
+        document.add(f"Real sequences: {NAMES[configuration]}", "Medians over the runs. Errors after the "
                      "alignment that is named (SE3: metric by its board; Sim3: free scale); without truth: gap at the "
                      "return, in percent of the length.", real.table(own[own.configuration == configuration]),
                      f"real_{configuration}")

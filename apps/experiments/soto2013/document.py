@@ -15,8 +15,8 @@ exact pose and depth. So the digits cannot agree, and what is tested is the orde
 
 Everything is run twice: with *the paper's settings* (`config/soto2013.ini`: undelayed inverse depth, whole pixels of
 1 px noise, one search and one linearisation a frame, no re-estimation of the first seconds) and with *our defaults*
-(`config/default.ini`), the latter with fewer seeds (tables say how many runs). The strategy is changed and nothing else; detection and noise share their seeds. A dark rectangle
-of known size, in view in the first frame, gives metric scale.
+(`config/default.ini`), the latter with fewer seeds (tables say how many runs). The strategy is changed and nothing else;
+detection and noise share their seeds. A dark rectangle of known size, in view in the first frame, gives metric scale.
 
 **What is measured**, since the paper defines none of it. Position and orientation: mean over the frames of the distance
 and of the angle to the true pose, in the world that the target defines, without alignment. The target's pose in the first

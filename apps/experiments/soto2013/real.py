@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pandas as pd
 
-from batches import ROOT, Sequence
+from batches import ROOT, Sequence, by_configuration
 from plan import table_batch
 from tables import keys_in, label_of, median, short
 from worlds import images
@@ -24,7 +24,7 @@ def folder():
     return found if found.is_dir() else None
 
 
-def batch(datasets, output, size):
+def batches(datasets, output, size):
     place = SimpleNamespace(datasets=str(datasets), output=str(output / "real"))
     Path(place.output).mkdir(exist_ok=True)
     found = []
@@ -37,7 +37,8 @@ def batch(datasets, output, size):
         pairs["camera.readout_s"] = known.readout_s(name, place)
         found.append(Sequence(name, rawlog, truth if truth.is_file() else None, pairs,
                               length=len(images(datasets / name))))
-    return table_batch("real", found, size, size.real_seeds)
+    # With our defaults libs/docs/strategies.md has more seeds of them.
+    return by_configuration(table_batch("real", found, size, size.real_seeds), 1)
 
 
 def table(runs):

@@ -89,7 +89,7 @@ def report(runs, size, sequences, folders, output):
     pairs = chapters.write_planes(document, cells, folders[0])
     chapters.write_sweeps(document, runs, size)
     rates = chapters.write_rates(document, runs, size)
-    chapters.write_real(document, runs, size)
+    chapters.write_real(document, runs)
     found = chapters.verdicts(cells, judged["paper"], pairs, sweeps.points(runs, "particles"), rates)
     document.add("Does it hold?", "Decided by the numbers below, with the paper's settings and its number of frames "
                  f"unless something else is said.\n\n{claims.reasons(found)}", claims.table(found), "claims")
@@ -109,7 +109,7 @@ def main():
     wanted = plan.batches(*sequences, size)
     datasets = real.folder() if size.real_seeds else None
     if datasets:
-        wanted.append(real.batch(datasets, args.output, size))
+        wanted += real.batches(datasets, args.output, size)
     announce(wanted, sequences[0], size, args)
     runs = measured_runs(wanted, args)
     report(runs, size, sequences, folders, args.output)

@@ -29,6 +29,43 @@ double inlierRatio(const SmoothedWindow& smoothed)
     return static_cast<double>(good) / static_cast<double>(smoothed.inlier.size());
 }
 
+/** Median angle between what is seen of the points from two places; 0 without points. */
+double medianParallax_rad(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& from,
+                          const Eigen::Vector3d& to)
+{
+    std::vector<double> angles;
+    for (const Eigen::Vector3d& p_w : points)
+    {
+        const Eigen::Vector3d a = (p_w - from).normalized();
+        const Eigen::Vector3d b = (p_w - to).normalized();
+        angles.push_back(std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+    if (angles.empty()) return 0.0;
+    const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
+    std::nth_element(angles.begin(), middle, angles.end());
+    return *middle;
+}
+
+/** Between the first and the last view, of the landmarks that both the window and the last view
+ *  know. */
+double parallaxOf(const Window& window, const SmoothedWindow& smoothed)
+{
+    const auto last = static_cast<Eigen::Index>(window.poses.size()) - 1;
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = 0; i < window.observations.size(); ++i)
+    {
+        const WindowObservation& seen = window.observations[i];
+        if (seen.view != last || !smoothed.inlier[i]) continue;
+        const WindowLandmark& landmark =
+            smoothed.landmarks[static_cast<std::size_t>(seen.landmark)];
+        points.push_back(landmark.kind == LandmarkKind::Point
+                             ? Eigen::Vector3d(landmark.y)
+                             : toPoint(Eigen::Matrix<double, 6, 1>(landmark.y)));
+    }
+    return medianParallax_rad(points, smoothed.poses.front().head<3>(),
+                              smoothed.poses.back().head<3>());
+}
+
 /** Pixels of the last view that its landmarks kept explain. */
 long seenLast(const Window& window, const WindowEstimate& estimate)
 {
@@ -70,24 +107,21 @@ void StartWindow::record(double t_s, long frame, const Belief& belief,
     views_.push_back(std::move(view));
 }
 
-double StartWindow::medianParallax_rad(const Belief& belief) const
+double StartWindow::seenParallax_deg(const Belief& belief) const
 {
-    const Eigen::Vector3d first = views_.front().pose.head<3>();
-    std::vector<double> angles;
+    std::vector<Eigen::Vector3d> points;
     for (const StartPixel& pixel : views_.back().pixels)
     {
         const Eigen::Index index = belief.find(pixel.id);
         if (index < 0) continue;
-        const Eigen::Vector3d p_w =
-            landmarkPoint(belief, belief.landmarks[static_cast<std::size_t>(index)]);
-        const Eigen::Vector3d a = (p_w - first).normalized();
-        const Eigen::Vector3d b = (p_w - belief.x.head<3>()).normalized();
-        angles.push_back(std::atan2(a.cross(b).norm(), a.dot(b)));
+        points.push_back(landmarkPoint(belief, belief.landmarks[static_cast<std::size_t>(index)]));
     }
-    if (angles.empty()) return 0.0;
-    const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-    std::nth_element(angles.begin(), middle, angles.end());
-    return *middle;
+    return medianParallax_rad(points, views_.front().pose.head<3>(), belief.x.head<3>()) / kDegree;
+}
+
+bool StartWindow::enough(double parallax_deg) const
+{
+    return parallax_deg >= 0.5 * options_.parallax_deg.front();
 }
 
 StartWindow::Look StartWindow::due(double parallax_deg) const
@@ -95,8 +129,7 @@ StartWindow::Look StartWindow::due(double parallax_deg) const
     if (parallax_deg >= options_.parallax_deg[nextThreshold_]) return Look::ForEstimate;
     // A wrong structure may hide its parallax: look again when the window has doubled.
     if (views_.size() < 2 * std::max<std::size_t>(lastLook_, kFirstLook)) return Look::Not;
-    const bool some = parallax_deg >= 0.5 * options_.parallax_deg.front();
-    return some ? Look::ForEstimate : Look::ForOther;
+    return enough(parallax_deg) ? Look::ForEstimate : Look::ForOther;
 }
 
 void StartWindow::passThresholds(double parallax_deg)
@@ -144,7 +177,7 @@ std::optional<RefinedStart> StartWindow::refine(const Belief& belief,
         open_ = false;
         return std::nullopt;
     }
-    const double parallax_deg = medianParallax_rad(belief) / kDegree;
+    const double parallax_deg = seenParallax_deg(belief);
     const Look look = due(parallax_deg);
     if (look == Look::Not) return std::nullopt;
     passThresholds(parallax_deg);
@@ -157,8 +190,10 @@ std::optional<RefinedStart> StartWindow::refine(const Belief& belief,
     WindowEstimate estimate;
     bool ownGuess = true;
     estimate.smoothed = smooth(problem.window, ownGuess);
-    if (look == Look::ForOther && ownGuess) return std::nullopt;
     const SmoothedWindow& smoothed = estimate.smoothed;
+    const bool other =
+        !ownGuess || (smoothed.usable && enough(parallaxOf(problem.window, smoothed) / kDegree));
+    if (look == Look::ForOther && !other) return std::nullopt;
     lastInlierRatio_ = smoothed.usable ? inlierRatio(smoothed) : 0.0;
     if (!smoothed.usable || lastInlierRatio_ < options_.accept_inlier_ratio) return std::nullopt;
     estimate.keep = trusted(problem.window, smoothed, options_);

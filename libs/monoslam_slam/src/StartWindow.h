@@ -55,9 +55,12 @@ class StartWindow
     {
         Not,
         ForEstimate,
-        ForOther,  ///< only whether another structure explains the pixels clearly better
+        ForOther,  ///< only whether the pixels show another structure than the filter's
     };
-    [[nodiscard]] double medianParallax_rad(const Belief& belief) const;
+    /** By the filter's own structure, of what the last view sees since the first. */
+    [[nodiscard]] double seenParallax_deg(const Belief& belief) const;
+    /** For an estimate before the first threshold. */
+    [[nodiscard]] bool enough(double parallax_deg) const;
     [[nodiscard]] Look due(double parallax_deg) const;
     void passThresholds(double parallax_deg);
     /** \param ownGuess  set to false if another guess than the window's has won */
