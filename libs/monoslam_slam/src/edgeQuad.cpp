@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 
 namespace monoslam
@@ -13,6 +14,7 @@ namespace
 constexpr double kLeastContrast = 15.0 / 255.0;
 constexpr double kLeastSide_px = 12.0;
 constexpr int kPasses = 3;
+constexpr std::size_t kMany = 600;   ///< pixels along a side: a fifth do for a rough fit
 constexpr double kRough = 5e-3;      ///< [px] and grey levels / 255
 constexpr double kConverged = 2e-4;  ///< the same
 
@@ -89,16 +91,31 @@ std::vector<cv::Point> pixelsAlong(const Side& side, const Camera& camera, cv::S
     return places;
 }
 
+/** Says yes of one pixel in five. Scattered, for the pixels of a regular pattern may all be at the
+ *  same few distances from a side. */
+bool sampled(const cv::Point& place)
+{
+    std::uint32_t bits = 0x9E3779B1u * static_cast<std::uint32_t>(place.x) ^
+                         0x85EBCA77u * static_cast<std::uint32_t>(place.y);
+    bits = 0xC2B2AE3Du * (bits ^ bits >> 15);
+    bits = 0x27D4EB2Fu * (bits ^ bits >> 13);
+    return (bits ^ bits >> 16) % 5u == 0u;
+}
+
+/** \param all  else a sample of them, if they are many */
 std::vector<EdgePixel> pixelsOf(const cv::Mat& image, const Camera& camera, const Side& side,
-                                double reach_px)
+                                double reach_px, bool all)
 {
     const Eigen::Vector2d along = (side.to - side.from).normalized();
     const double halfLength = 0.5 * (side.to - side.from).norm();
     const double margin_px = std::min(reach_px + 1.0, 0.2 * side.length_px);
     const double s_max = 1.0 - 2.0 * margin_px / side.length_px;
+    const auto places = pixelsAlong(side, camera, image.size(), reach_px);
+    all = all || places.size() < kMany;
     std::vector<EdgePixel> pixels;
-    for (const auto& place : pixelsAlong(side, camera, image.size(), reach_px))
+    for (const auto& place : places)
     {
+        if (!all && !sampled(place)) continue;
         Eigen::Matrix2d J;
         const auto x = undistorted(camera, {place.x, place.y}, &J);
         if (!x) continue;
@@ -110,6 +127,16 @@ std::vector<EdgePixel> pixelsOf(const cv::Mat& image, const Camera& camera, cons
         pixels.push_back(
             {d_px, s, side.unit / perPixel, static_cast<double>(image.at<unsigned char>(place))});
     }
+    return pixels;
+}
+
+std::array<std::vector<EdgePixel>, 4> pixelsOf(const cv::Mat& image, const Camera& camera,
+                                               const std::array<Side, 4>& sides, double reach_px,
+                                               bool all)
+{
+    std::array<std::vector<EdgePixel>, 4> pixels;
+    for (std::size_t k = 0; k < 4; ++k)
+        pixels[k] = pixelsOf(image, camera, sides[k], reach_px, all);
     return pixels;
 }
 
@@ -162,11 +189,17 @@ std::optional<EdgeQuad> refineEdgeQuad(const cv::Mat& image, const Camera& camer
     {
         const auto sides = sidesOf(camera, result.corners_px);
         if (!sides) return std::nullopt;
-        std::array<std::vector<EdgePixel>, 4> pixels;
-        for (int k = 0; k < 4; ++k) pixels[k] = pixelsOf(image, camera, (*sides)[k], reach_px);
         // The pixels are chosen anew after each pass but the last: until then a rough fit will do.
-        fit = fitEdges(pixels, fit ? &*fit : nullptr, pass < kPasses - 1 ? kRough : kConverged);
-        if (!fit || !straightEdges(*fit, reach_px)) return std::nullopt;
+        const bool last = pass == kPasses - 1;
+        const EdgeFit* before = fit ? &*fit : nullptr;
+        std::optional<EdgeFit> next;
+        if (!last)
+            next = fitEdges(pixelsOf(image, camera, *sides, reach_px, false), before, kRough);
+        if (!next)  // or the sample was too small
+            next = fitEdges(pixelsOf(image, camera, *sides, reach_px, true), before,
+                            last ? kConverged : kRough);
+        if (!next || !straightEdges(*next, reach_px)) return std::nullopt;
+        fit = next;
         const auto corners_px = cornersOf(*sides, *fit, camera);
         if (!corners_px) return std::nullopt;
         result = {*corners_px, *fit};
