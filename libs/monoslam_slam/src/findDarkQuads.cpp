@@ -12,6 +12,8 @@ namespace
 constexpr double kLeastSide_px = 15.0;
 constexpr double kBorder_px = 3.0;
 constexpr double kSameQuad_px = 3.0;
+constexpr double kLeastFilled = 0.85;      ///< of the quadrilateral's area
+constexpr double kHopelesslyHollow = 0.6;  ///< of the hull's: spares most contours the lens
 
 /** Dark regions (255) at several levels: globally and against the neighbourhood. */
 std::vector<cv::Mat> darkRegions(const cv::Mat& image)
@@ -41,9 +43,13 @@ std::vector<cv::Mat> darkRegions(const cv::Mat& image)
 /** The contour as four corners, judged without the lens's bending of its sides. */
 std::optional<Quad> quadOf(const std::vector<cv::Point>& contour, const Camera& camera)
 {
+    std::vector<cv::Point> bentHull;
+    cv::convexHull(contour, bentHull);
+    const double filled = cv::contourArea(contour) / cv::contourArea(bentHull);
+    if (filled < kHopelesslyHollow) return std::nullopt;
     const float f_px = static_cast<float>(camera.parameters().fx_px);
     std::vector<cv::Point2f> straight;
-    for (const auto& p : contour)
+    for (const auto& p : bentHull)
     {
         const auto ray = camera.unproject({p.x, p.y});
         if (!ray) return std::nullopt;
@@ -55,7 +61,8 @@ std::optional<Quad> quadOf(const std::vector<cv::Point>& contour, const Camera& 
     cv::convexHull(straight, hull);
     cv::approxPolyDP(hull, corners, 0.03 * cv::arcLength(hull, true), true);
     if (corners.size() != 4 || !cv::isContourConvex(corners)) return std::nullopt;
-    if (cv::contourArea(straight) < 0.85 * cv::contourArea(corners)) return std::nullopt;
+    if (filled * cv::contourArea(hull) < kLeastFilled * cv::contourArea(corners))
+        return std::nullopt;
     Quad quad;
     for (int k = 0; k < 4; ++k)
     {
