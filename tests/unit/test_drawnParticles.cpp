@@ -9,9 +9,9 @@ namespace monoslam
 {
 namespace
 {
-constexpr int kLandmarks = 20;
+constexpr int kLandmarks = 30;
 
-/** The first \p matched of 20 landmarks matched at \p offset_px beside their pixels. */
+/** The first \p matched of 30 landmarks matched at \p offset_px beside their pixels. */
 DrawnParticle particle(int matched, double logWeight, double offset_px = 0.0)
 {
     DrawnParticle drawn;
@@ -55,9 +55,9 @@ TEST(FateCounts, ExplainAFrameByHalfOfTheSearched)
 
 TEST(DrawnParticles, AreTrustedIfTheHeaviestExplainsTheFrame)
 {
-    EXPECT_TRUE(isTrusted(list(particle(10, -1.0), particle(3, -9.0, 30.0))));
-    EXPECT_FALSE(isTrusted(list(particle(10, -9.0), particle(3, -1.0, 30.0))));
-    EXPECT_FALSE(isTrusted({particle(9, 0.0)}));
+    EXPECT_TRUE(isTrusted(list(particle(15, -1.0), particle(3, -9.0, 30.0))));
+    EXPECT_FALSE(isTrusted(list(particle(15, -9.0), particle(3, -1.0, 30.0))));
+    EXPECT_FALSE(isTrusted({particle(14, 0.0)}));
 }
 
 TEST(DrawnParticles, AreTrustedIfTwoReadTheFrameAlike)
@@ -68,7 +68,7 @@ TEST(DrawnParticles, AreTrustedIfTwoReadTheFrameAlike)
     // Four common pixels may be chance, and five of nine are most but five of ten are not.
     EXPECT_FALSE(isTrusted(list(particle(4, -1.0), particle(4, -2.0))));
     EXPECT_TRUE(isTrusted(list(particle(9, -1.0), particle(5, -2.0))));
-    EXPECT_FALSE(isTrusted(list(particle(8, -1.0), particle(4, -2.0))));
+    EXPECT_FALSE(isTrusted(list(particle(10, -1.0), particle(5, -2.0))));
 }
 
 TEST(DrawnParticles, TheHeaviestGoOnInTheOrderOfTheirOrigins)

@@ -24,12 +24,17 @@ Eigen::Matrix2d clip(const Eigen::Matrix2d& S, double gate, double radius_px)
 }
 }  // namespace
 
+Eigen::Vector3d landmarkPoint(LandmarkKind kind, const Eigen::Ref<const Eigen::VectorXd>& y)
+{
+    if (kind == LandmarkKind::Point) return y.head<3>();
+    Vector6d inFront = y.head<6>();
+    inFront(inverse_depth::kRho) = std::max(inFront(inverse_depth::kRho), kLeastRho);
+    return toPoint(inFront);
+}
+
 Eigen::Vector3d landmarkPoint(const Belief& belief, const LandmarkSlot& slot)
 {
-    if (slot.kind == LandmarkKind::Point) return belief.x.segment<3>(slot.offset);
-    Vector6d y = belief.x.segment<6>(slot.offset);
-    y(inverse_depth::kRho) = std::max(y(inverse_depth::kRho), kLeastRho);
-    return toPoint(y);
+    return landmarkPoint(slot.kind, belief.x.segment(slot.offset, slot.size()));
 }
 
 CornerTrackerOptions trackerOptions(const SearchOptions& search)

@@ -16,7 +16,10 @@
 
 namespace monoslam
 {
-/** 3-D point of a landmark; a point far along the ray where rho is not clearly positive. */
+/** 3-D point of a landmark; a point far along the ray where rho is not clearly positive.
+ *  \param y  its six or three numbers */
+[[nodiscard]] Eigen::Vector3d landmarkPoint(LandmarkKind kind,
+                                            const Eigen::Ref<const Eigen::VectorXd>& y);
 [[nodiscard]] Eigen::Vector3d landmarkPoint(const Belief& belief, const LandmarkSlot& slot);
 
 [[nodiscard]] CornerTrackerOptions trackerOptions(const SearchOptions& search);

@@ -46,9 +46,8 @@ double medianParallax_rad(const std::vector<Eigen::Vector3d>& points, const Eige
     return *middle;
 }
 
-/** Between the first and the last view, of the landmarks that both the window and the last view
- *  know. */
-double parallaxOf(const Window& window, const SmoothedWindow& smoothed)
+/** Between the first and the last view, by the pixels of the last that the estimate explains [rad]. */
+double parallaxOf_rad(const Window& window, const SmoothedWindow& smoothed)
 {
     const auto last = static_cast<Eigen::Index>(window.poses.size()) - 1;
     std::vector<Eigen::Vector3d> points;
@@ -58,9 +57,7 @@ double parallaxOf(const Window& window, const SmoothedWindow& smoothed)
         if (seen.view != last || !smoothed.inlier[i]) continue;
         const WindowLandmark& landmark =
             smoothed.landmarks[static_cast<std::size_t>(seen.landmark)];
-        points.push_back(landmark.kind == LandmarkKind::Point
-                             ? Eigen::Vector3d(landmark.y)
-                             : toPoint(Eigen::Matrix<double, 6, 1>(landmark.y)));
+        points.push_back(landmarkPoint(landmark.kind, landmark.y));
     }
     return medianParallax_rad(points, smoothed.poses.front().head<3>(),
                               smoothed.poses.back().head<3>());
@@ -191,8 +188,8 @@ std::optional<RefinedStart> StartWindow::refine(const Belief& belief,
     bool ownGuess = true;
     estimate.smoothed = smooth(problem.window, ownGuess);
     const SmoothedWindow& smoothed = estimate.smoothed;
-    const bool other =
-        !ownGuess || (smoothed.usable && enough(parallaxOf(problem.window, smoothed) / kDegree));
+    const bool other = !ownGuess || (smoothed.usable &&
+                                     enough(parallaxOf_rad(problem.window, smoothed) / kDegree));
     if (look == Look::ForOther && !other) return std::nullopt;
     lastInlierRatio_ = smoothed.usable ? inlierRatio(smoothed) : 0.0;
     if (!smoothed.usable || lastInlierRatio_ < options_.accept_inlier_ratio) return std::nullopt;
