@@ -162,7 +162,7 @@ TEST(KfSlamJoint, IsBetterThanKfSlamUnderClutter)
     const auto run = [&](const std::string& name, unsigned seed)
     {
         const std::string rawlog = (folder / "echo.rawlog");
-        copyWithClutter(kRawlog.string(), rawlog, Clutter::Echo, 0.7, seed);
+        copyWithClutter(kRawlog.string(), rawlog, Clutter::Echo, 1.0, seed);
         return rmse(kfSlamJoint(
             "'" + kIni.string() + "' '" + rawlog + "' --force --output '" + (folder / "out") + "'" +
             setting("MappingApplication.SAVE_LOG_FREQUENCY=1000") + method(name)));

@@ -136,11 +136,34 @@ TEST(RangeBearingKFSLAM, ForgetsClutterAndKeepsItsNumbersInOrder)
     EXPECT_LT(world.distanceFrom(slam.getCurrentRobotPoseMean()), 0.06);
 }
 
+TEST(RangeBearingKFSLAM, ForgetsWhatIsSeenOnceAtTheBorderOfTheView)
+{
+    // Nobody can tell whether it should have been seen again; if it stays, it takes what its
+    // neighbours measure.
+    RangeBearingWorld world(kLandmarks);
+    RangeBearingKFSLAM slam;
+    slam.loadOptions(ini("HOHCT"));
+    const double border_rad = 0.97;
+    for (int step = 0; step < 2; ++step)
+    {
+        auto sensor = world.observe();
+        sensor->fieldOfView_yaw = 2.0F;
+        if (step == 0)
+            sensor->sensedData.push_back(
+                world.measure({5.0 * std::cos(border_rad), 5.0 * std::sin(border_rad), 0.0}));
+        world.step(slam, sensor);
+    }
+    EXPECT_EQ(slam.getNumberOfLandmarksInTheMap(), kLandmarks.size());
+    EXPECT_EQ(slam.counters().removed, 1);
+}
+
 TEST(LandmarkPresence, DoubtsWhatIsMissedMoreOftenThanSeen)
 {
     LandmarkPresence presence;
     for (int i = 0; i < 3; ++i) presence.born();
+    EXPECT_TRUE(presence.isNewborn(1));
     for (int i = 0; i < 10; ++i) presence.seen(1, 0.9);
+    EXPECT_FALSE(presence.isNewborn(1));
     presence.missed(0, 0.9);
     EXPECT_EQ(presence.absent(), std::vector<std::size_t>{0});
     presence.erase({0});

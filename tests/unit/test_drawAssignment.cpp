@@ -44,15 +44,15 @@ AssignmentProblem twoItems()
 }
 }  // namespace
 
-TEST(DrawAssignment, DrawsOneItemInProportionAndWeighsByTheSum)
+TEST(DrawAssignment, DrawsForOnePredictionInProportionAndWeighsByTheSum)
 {
     AssignmentProblem problem = twoItems();
-    problem.items.pop_back();
+    problem.items[0].erase(problem.items[0].begin());  // both want the second prediction
     std::vector<double> l;
-    for (const int c : {-1, 0, 1})
+    for (const std::vector<int>& chosen : {std::vector<int>{-1, -1}, {0, -1}, {-1, 0}})
     {
         AssignmentResult result;
-        result.chosen = {c};
+        result.chosen = chosen;
         l.push_back(likelihood(problem, result));
     }
     const double sum = std::accumulate(l.begin(), l.end(), 0.0);
@@ -63,7 +63,8 @@ TEST(DrawAssignment, DrawsOneItemInProportionAndWeighsByTheSum)
     {
         const DrawnAssignment drawn = drawAssignment(problem, kModel, rng);
         ASSERT_NEAR(drawn.logWeight, std::log(sum), 1e-12);
-        count[static_cast<std::size_t>(drawn.assignment.chosen[0] + 1)] += 1.0;
+        const std::vector<int>& chosen = drawn.assignment.chosen;
+        count[chosen[0] == 0 ? 1 : chosen[1] == 0 ? 2 : 0] += 1.0;
     }
     for (std::size_t i = 0; i < 3; ++i)
     {

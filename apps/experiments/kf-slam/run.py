@@ -36,7 +36,7 @@ METHODS = {
     "MHDA": ("MHDA", []),
 }
 # kind and mean number of false observations a frame; see experiment-kf-slam
-CLUTTER = [("uniform", 0.0), ("uniform", 1.0), ("echo", 1.0), ("echo", 2.0)]
+CLUTTER = [("uniform", 0.0), ("uniform", 1.0), ("uniform", 3.0), ("echo", 1.0), ("echo", 2.0)]
 
 
 def program(name):

@@ -13,14 +13,15 @@ constexpr double kMostSightings = 3.0;
 
 void LandmarkPresence::born()
 {
-    entries_.push_back({born_++, 0.0});
+    entries_.push_back({born_++});
 }
 
 void LandmarkPresence::seen(std::size_t landmark, double p_detection)
 {
     const double sighting = std::log(p_detection / (1.0 - p_detection));
-    double& logOdds = entries_.at(landmark).logOdds;
-    logOdds = std::min(logOdds + sighting, kMostSightings * sighting);
+    Entry& entry = entries_.at(landmark);
+    entry.newborn = false;
+    entry.logOdds = std::min(entry.logOdds + sighting, kMostSightings * sighting);
 }
 
 void LandmarkPresence::missed(std::size_t landmark, double p_detection)

@@ -188,7 +188,7 @@ void JointKFSLAM<MrptSlam>::OnPostIteration()
     for (std::size_t i = 0; i < inView_.size(); ++i)
         if (seen_.count(i) > 0)
             presence_.seen(i, association.p_detection);
-        else if (inView_[i])
+        else if (inView_[i] || presence_.isNewborn(i))  // what is seen once may be nothing
             presence_.missed(i, association.p_detection);
     if (association.remove_missed.value_or(!isMrpts(method()))) removeAbsent();
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
-#include <set>
 #include <vector>
 
 #include "monoslam_association/ConditionalPairs.h"
@@ -46,39 +46,57 @@ std::size_t drawFrom(const std::vector<double>& logs, std::mt19937& rng, double&
     }
     return i;
 }
+
+/** Where a prediction stands among the candidates. */
+struct Wish
+{
+    std::size_t item = 0;
+    std::size_t candidate = 0;
+};
+
+/** Those of each prediction that has any. */
+std::vector<std::vector<Wish>> byPrediction(const AssignmentProblem& problem)
+{
+    std::map<Eigen::Index, std::vector<Wish>> wishes;
+    for (std::size_t i = 0; i < problem.items.size(); ++i)
+        for (std::size_t c = 0; c < problem.items[i].size(); ++c)
+            wishes[problem.items[i][c].use].push_back({i, c});
+    std::vector<std::vector<Wish>> list;
+    for (auto& [use, of] : wishes) list.push_back(std::move(of));
+    return list;
+}
 }  // namespace
 
 DrawnAssignment drawAssignment(const AssignmentProblem& problem, const DetectionModel& model,
                                std::mt19937& rng)
 {
     const double logOdds = std::log(model.p_detection / (1.0 - model.p_detection));
+    const double logClutter = std::log(model.clutter_density);
     const auto O = static_cast<double>(problem.dimension);
+    const std::vector<std::vector<Wish>> predictions = byPrediction(problem);
     ConditionalPairs stack(problem);
-    std::set<Eigen::Index> used;
     DrawnAssignment drawn;
     AssignmentResult& result = drawn.assignment;
     result.chosen.assign(problem.items.size(), -1);
-    for (const std::size_t i : drawOrder(problem.items.size(), rng))
+    drawn.logWeight = static_cast<double>(problem.items.size()) * logClutter;
+    for (const std::size_t p : drawOrder(predictions.size(), rng))
     {
-        std::vector<double> logs{std::log(model.clutter_density)};
-        std::vector<int> candidates{-1};
-        for (std::size_t c = 0; c < problem.items[i].size(); ++c)
+        std::vector<double> logs{0.0};  // missed
+        std::vector<const Wish*> wishes{nullptr};
+        for (const Wish& wish : predictions[p])
         {
-            const AssignmentPair& pair = problem.items[i][c];
-            const ConditionalPairs::Gain gain = stack.gain(pair);
-            if (used.count(pair.use) > 0 || !std::isfinite(gain.nis)) continue;
-            logs.push_back(logOdds - 0.5 * (gain.nis + gain.logDet + O * kLogTwoPi));
-            candidates.push_back(static_cast<int>(c));
+            const ConditionalPairs::Gain gain =
+                stack.gain(problem.items[wish.item][wish.candidate]);
+            if (result.chosen[wish.item] >= 0 || !std::isfinite(gain.nis)) continue;
+            logs.push_back(logOdds - 0.5 * (gain.nis + gain.logDet + O * kLogTwoPi) - logClutter);
+            wishes.push_back(&wish);
         }
         double logSum = 0.0;
-        const int chosen = candidates[drawFrom(logs, rng, logSum)];
+        const Wish* chosen = wishes[drawFrom(logs, rng, logSum)];
         drawn.logWeight += logSum;
         ++result.nodes;
-        if (chosen < 0) continue;
-        const AssignmentPair& pair = problem.items[i][static_cast<std::size_t>(chosen)];
-        if (!stack.push(pair)) continue;
-        used.insert(pair.use);
-        result.chosen[i] = chosen;
+        if (chosen && stack.push(problem.items[chosen->item][chosen->candidate]))
+            result.chosen[chosen->item] = static_cast<int>(chosen->candidate);
     }
     result.pairs = stack.pairs();
     result.d2 = stack.d2();

@@ -20,10 +20,11 @@ struct DrawnAssignment
     double logWeight = 0.0;  ///< ln of the product of the normalisers
 };
 
-/** An assignment drawn item by item, in random order, each given the pairs drawn before:
+/** An assignment drawn landmark by landmark, in random order, each given the pairs drawn before. A
+ *  landmark chooses among all items that may be it, so that an echo competes with what it is an echo of:
  *
- *      l_i = P_D / (1 - P_D) N(nu_i; 0, S_i | drawn),   l_0 = density of clutter and new landmarks
- *      p_i = l_i / sum,   ln w += ln sum
+ *      l_j = P_D / (1 - P_D) N(nu_j; 0, S_j | drawn) / clutter density,   l_0 = 1 for "missed"
+ *      p_j = l_j / sum,   ln w += ln sum,   besides the clutter density of every item
  *
  * The weight is that of the optimal proposal: the normaliser, not the likelihood of what was drawn,
  * which would count it twice. \see algorithms 7.2, 7.3 */

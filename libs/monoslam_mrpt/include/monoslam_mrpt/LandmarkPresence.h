@@ -23,6 +23,11 @@ class MONOSLAM_MRPT_EXPORT LandmarkPresence
     [[nodiscard]] std::vector<std::size_t> absent() const;
     void erase(const std::vector<std::size_t>& landmarks);
 
+    /** Whether it was seen in the step of its birth only. */
+    [[nodiscard]] bool isNewborn(std::size_t landmark) const
+    {
+        return entries_.at(landmark).newborn;
+    }
     [[nodiscard]] std::size_t count() const { return entries_.size(); }
     [[nodiscard]] std::size_t serial(std::size_t landmark) const
     {
@@ -34,6 +39,7 @@ class MONOSLAM_MRPT_EXPORT LandmarkPresence
     {
         std::size_t serial = 0;
         double logOdds = 0.0;
+        bool newborn = true;
     };
     std::vector<Entry> entries_;
     std::size_t born_ = 0;

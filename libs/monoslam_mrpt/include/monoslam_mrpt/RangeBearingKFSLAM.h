@@ -27,8 +27,9 @@ struct MONOSLAM_MRPT_EXPORT JointAssociationOptions
     /** What becomes of an observation that is compatible with a landmark and was not assigned: a
      *  new landmark, as in MRPT, or nothing. */
     bool insert_rejected = false;
-    /** Landmarks that are missed in the sensor's field of view are taken out of the map, unless they
-     *  bear IDs; MRPT has nothing like it. If empty: yes, but with MRPT's own association. */
+    /** Landmarks that are missed in the sensor's field of view, and those that are not seen in the step
+     *  after their first, wherever that is, are taken out of the map, unless they bear IDs; MRPT has
+     *  nothing like it. If empty: yes, but with MRPT's own association. */
     std::optional<bool> remove_missed;
     double p_detection = 0.9;  ///< of a landmark in view
 
