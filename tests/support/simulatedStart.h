@@ -89,6 +89,16 @@ class SimulatedStart
         return window_.refine(belief_, records_, kMotion);
     }
 
+    /** From now on the filter errs like this, as if it had from the beginning but for what the window
+     *  has seen of it. */
+    void misguide(Guess guess)
+    {
+        options_.guess = guess;
+        for (const auto& slot : belief_.landmarks)
+            if (slot.kind == LandmarkKind::InverseDepth)
+                belief_.x(slot.offset + inverse_depth::kRho) = guessedRho(slot.id);
+    }
+
     [[nodiscard]] const StartWindow& window() const { return window_; }
     [[nodiscard]] int frame() const { return frame_; }
     [[nodiscard]] const Eigen::Vector3d& point(LandmarkId id) const

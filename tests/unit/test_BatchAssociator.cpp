@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "associatorRuns.h"
@@ -56,6 +57,61 @@ TEST(BatchAssociator, ShrinksTheRegionsOfTheSecondStage)
     for (const Association& record : two.associations) areaTwo += std::sqrt(record.S.determinant());
     EXPECT_LT(areaTwo, 0.5 * areaOne);
     EXPECT_GE(count(two, Fate::Matched), count(one, Fate::Matched) - 1);
+}
+
+/** 16 of 30 landmarks have a better looking double 12 px to the left, as on a chessboard. */
+LinearWorld doubledWorld(unsigned seed)
+{
+    LinearWorld world = LinearWorld::withLandmarks(30, seed);
+    for (auto& [id, candidates] : world.seen)
+    {
+        if (id > 15) continue;
+        Candidate twin = candidates.front();
+        twin.score = 0.99;
+        twin.z += Eigen::Vector2d(-12.0, 0.0);
+        candidates.insert(candidates.begin(), twin);
+    }
+    return world;
+}
+
+TEST(BatchAssociator, ChoosesAmongSeveralCandidatesOfTheFirstStage)
+{
+    // The best looking ones of the first stage agree with each other, and with nothing else.
+    const std::string ini = "first_stage_distance_px = 0\nfirst_stage_landmarks = 20\n";
+    std::ptrdiff_t right = 0, rightOfOne = 0;
+    for (unsigned seed = 1; seed <= 10; ++seed)
+    {
+        const LinearWorld world = doubledWorld(seed);
+        const auto rightly = [&](const Correction& correction)
+        {
+            return std::count_if(
+                correction.associations.begin(), correction.associations.end(),
+                [&](const Association& a)
+                { return a.fate == Fate::Matched && a.z == world.seen.at(a.id).back().z; });
+        };
+        right += rightly(run("hohct", world, ini));
+        rightOfOne += rightly(run("hohct", world, ini + "first_stage_candidates = 1"));
+    }
+    EXPECT_GT(right, 0.95 * 300);
+    EXPECT_LT(rightOfOne, 0.5 * 300);
+}
+
+TEST(BatchAssociator, SearchesWhatTheFirstStageRejectsOnceMore)
+{
+    for (const char* name : {"hohct", "jcbb"})
+    {
+        LinearWorld world = LinearWorld::withLandmarks(30, 11);
+        Candidate decoy = world.seen.at(3).front();
+        decoy.score = 0.99;
+        decoy.z += Eigen::Vector2d(13.0, -14.0);
+        world.seen.at(3).insert(world.seen.at(3).begin(), decoy);
+        const std::string ini = "first_stage_distance_px = 0\nfirst_stage_candidates = 1\n";
+        const Association found = recordOf(run(name, world, ini), 3);
+        EXPECT_EQ(found.fate, Fate::Matched) << name;
+        EXPECT_EQ(found.z, world.seen.at(3).back().z) << name;
+        const Association single = recordOf(run(name, world, ini + "first_stage_landmarks = 0"), 3);
+        EXPECT_EQ(single.fate, Fate::Rejected) << name;
+    }
 }
 
 TEST(BatchAssociator, SpatialChoosesTheNearestAndAppearanceTheBest)

@@ -87,6 +87,28 @@ TEST(StartWindow, ComparesWithOtherStructuresEvenIfTheGuessExplainsThePixels)
     }
 }
 
+/** A structure that explains its pixels much worse than an earlier one did is compared, too, however
+ *  many it explains: their noise does not grow. */
+TEST(StartWindow, ComparesWithOtherStructuresWhenThePixelsFitWorseThanBefore)
+{
+    SimulatedStartOptions options;
+    options.start = {{0.25, 0.5, 1.0, 4.0}};
+    options.start.good_inlier_ratio = 0.0;
+    for (unsigned seed = 1; seed <= 5; ++seed)
+    {
+        SimulatedStart start(options, seed);
+        for (int look = 0; look < 3; ++look) ASSERT_TRUE(start.run()) << seed;
+        start.misguide(Guess::Mirrored);
+        const auto refined = start.run();
+        ASSERT_TRUE(refined) << seed;
+        const double s = scaleOf(refined->belief, start.frame());
+        EXPECT_LT(errorOf(refined->belief, start.frame(), s).head<3>().norm(),
+                  0.03 * refined->belief.x.head<3>().norm())
+            << seed;
+        EXPECT_GT(refined->belief.x(0), 0.0) << seed;
+    }
+}
+
 /** Where the filter believes in a rotation, no threshold of the parallax is ever passed. */
 TEST(StartWindow, FindsAParallaxThatTheFilterDoesNotSee)
 {

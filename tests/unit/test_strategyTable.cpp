@@ -14,9 +14,9 @@ namespace monoslam::test
 {
 namespace
 {
-AssociatorTraits traitsOf(const std::string& name)
+AssociatorTraits traitsOf(const std::string& name, const std::string& ini = {})
 {
-    return makeAssociator(name, mrpt::config::CConfigFileMemory(std::string()))->traits();
+    return makeAssociator(name, mrpt::config::CConfigFileMemory("[association]\n" + ini))->traits();
 }
 
 /** Pixels, and fates, of two corrections. */
@@ -84,7 +84,7 @@ TEST_P(Traits, WithoutAppearanceScoresDoNotMatter)
     for (auto& [id, candidates] : other.seen)
         candidates.front().score = 0.99 - 0.005 * static_cast<double>(id);
     expectSameChoices(run(GetParam(), one), run(GetParam(), other));
-    if (!traitsOf(GetParam()).multipleCandidates) return;
+    if (!traitsOf(GetParam(), oneStage).multipleCandidates) return;
     expectSameChoices(run(GetParam(), good, oneStage), run(GetParam(), bad, oneStage));
 }
 

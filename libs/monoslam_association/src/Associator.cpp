@@ -48,6 +48,8 @@ BatchOptions BatchOptions::from(const mrpt::config::CConfigFileBase& file,
     o.gate_probability = section.get("gate_probability", o.gate_probability, {1e-6, 1.0 - 1e-9});
     o.first_stage = section.get("first_stage_landmarks", o.first_stage, {0.0, 1e6});
     o.max_iterations = section.get("max_iterations", o.max_iterations, {1.0, 20.0});
+    o.first_stage_candidates =
+        section.get("first_stage_candidates", o.first_stage_candidates, {1.0, 100.0});
     o.first_stage_distance_px =
         section.get("first_stage_distance_px", o.first_stage_distance_px, {0.0, 1e6});
     o.max_measured = section.get("max_measured", o.max_measured, {1.0, 1e6});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_association/BatchAssociator.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "BatchSearch.h"
@@ -27,6 +28,12 @@ std::vector<int> BatchAssociator::decide(const AssociationProblem& problem,
     return chosen;
 }
 
+int BatchAssociator::firstStageCandidates() const
+{
+    return choosesAmongSeveral() ? std::max(maxCandidates(), options_.first_stage_candidates)
+                                 : maxCandidates();
+}
+
 std::vector<int> BatchAssociator::choose(BatchSearch& search, Belief& prior,
                                          const FrameView& view) const
 {
@@ -50,7 +57,8 @@ Correction BatchAssociator::correct(Mixture predicted, const FrameView& view,
 {
     Belief& belief = onlyBelief(predicted);
     ThreadClock clock;
-    BatchSearch search(view.predict(belief), view, {gate_, maxCandidates(), options_, minScore()});
+    BatchSearch search(view.predict(belief), view,
+                       {gate_, maxCandidates(), firstStageCandidates(), options_, minScore()});
     const double predictMs = clock.lap_ms();
 
     const std::vector<int> chosen = choose(search, belief, view);

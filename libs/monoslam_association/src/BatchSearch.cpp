@@ -51,7 +51,6 @@ SearchRegion BatchSearch::ownRegion(Eigen::Index row) const
     region.centre = at(row).h;
     region.S = at(row).S;
     region.gate = settings_.gate;
-    region.maxCandidates = settings_.maxCandidates;
     region.minScore = settings_.minScore;
     return region;
 }
@@ -97,21 +96,20 @@ void BatchSearch::moveTo(Prediction prediction)
                    untried_.end());
 }
 
-bool BatchSearch::search(Eigen::Index row, const SearchRegion& region)
+bool BatchSearch::search(Eigen::Index row, SearchRegion region, int maxCandidates)
 {
+    region.maxCandidates = maxCandidates;
     if (!region.centre.allFinite() || !positiveDefinite(region.S)) return false;
-    Association& record = associations[static_cast<std::size_t>(row)];
-    record.h = region.centre;
-    record.S = region.S;
     SearchResult result = view_.search(region);
     ++counters.searches;
     counters.pixelsCorrelated += result.pixels;
+    Association& record = associations[static_cast<std::size_t>(row)];
+    record.h = region.centre;
+    record.S = region.S;
     if (result.status != SearchStatus::Done) return false;
 
-    searched_.push_back(at(row).h);
     record.fate = Fate::NotFound;
-    std::vector<Candidate> found =
-        bestCandidates(std::move(result.candidates), settings_.maxCandidates);
+    std::vector<Candidate> found = bestCandidates(std::move(result.candidates), maxCandidates);
     if (found.empty()) return true;
     record.fate = Fate::Rejected;
     problem_.rows.push_back(row);
@@ -132,8 +130,8 @@ void BatchSearch::searchFirstStage()
         if (static_cast<int>(searched_.size()) >= wanted ||
             std::any_of(searched_.begin(), searched_.end(), near))
             left.push_back(row);
-        else
-            search(row, ownRegion(row));
+        else if (search(row, ownRegion(row), settings_.firstStageCandidates))
+            searched_.push_back(at(row).h);
     }
     untried_ = std::move(left);
 }
@@ -157,21 +155,68 @@ void BatchSearch::pickSpread(const std::function<SearchRegion(Eigen::Index)>& re
         const Eigen::Index row = untried_[static_cast<std::size_t>(index)];
         untried_.erase(untried_.begin() + index);
         distances.erase(farthest);
-        if (!search(row, regionOf(row))) continue;
+        if (!search(row, regionOf(row), settings_.maxCandidates)) continue;
+        searched_.push_back(at(row).h);
         for (std::size_t i = 0; i < untried_.size(); ++i)
             distances[i] = std::min(distances[i], (at(row).h - at(untried_[i]).h).norm());
     }
 }
 
-void BatchSearch::searchRest(const std::vector<int>& accepted)
+/** The first stage's decision among several candidates is final but for a rejection. */
+void BatchSearch::keepChosen(std::vector<int>& accepted)
 {
-    const std::vector<PixelMeasurement> pixels = pixelsOf(problem_, accepted);
-    if (pixels.size() >= kPoseFixingPairs)
+    const auto most = static_cast<std::size_t>(settings_.maxCandidates);
+    for (std::size_t i = 0; i < accepted.size(); ++i)
     {
-        const ConditionalPrediction given(prediction_, pixels);
-        if (given.valid())
-            return pickSpread([&](Eigen::Index row) { return regionGiven(given, row); });
+        std::vector<Candidate>& candidates = problem_.candidates[i];
+        if (candidates.size() <= most) continue;
+        if (accepted[i] >= 0)
+            std::rotate(candidates.begin(), candidates.begin() + accepted[i],
+                        candidates.begin() + accepted[i] + 1);
+        candidates.resize(most);
+        accepted[i] = std::min(accepted[i], 0);
     }
-    pickSpread([this](Eigen::Index row) { return ownRegion(row); });
+}
+
+/** A wide gate may hold several peaks, and what the decision rejected may have been wrong ones; the
+ *  shrunken gate holds the right one. */
+void BatchSearch::searchRejectedAgain(const std::vector<int>& accepted,
+                                      const ConditionalPrediction& given)
+{
+    AssociationProblem before = problem_;
+    problem_.rows.clear();
+    problem_.candidates.clear();
+    problem_.regions.clear();
+    for (std::size_t i = 0; i < before.rows.size(); ++i)
+    {
+        const Eigen::Index row = before.rows[i];
+        if (accepted[i] < 0)
+        {
+            Association& record = associations[static_cast<std::size_t>(row)];
+            const Association first = record;
+            if (search(row, regionGiven(given, row), settings_.maxCandidates)) continue;
+            record = first;
+        }
+        problem_.rows.push_back(row);
+        problem_.candidates.push_back(std::move(before.candidates[i]));
+        problem_.regions.push_back(before.regions[i]);
+    }
+}
+
+bool BatchSearch::searchRest(std::vector<int>& accepted)
+{
+    const long before = counters.searches;
+    keepChosen(accepted);
+    const std::vector<PixelMeasurement> pixels = pixelsOf(problem_, accepted);
+    std::optional<ConditionalPrediction> given;
+    if (pixels.size() >= kPoseFixingPairs) given.emplace(prediction_, pixels);
+    if (given && given->valid())
+    {
+        searchRejectedAgain(accepted, *given);
+        pickSpread([&](Eigen::Index row) { return regionGiven(*given, row); });
+    }
+    else
+        pickSpread([this](Eigen::Index row) { return ownRegion(row); });
+    return counters.searches > before;
 }
 }  // namespace monoslam

@@ -21,6 +21,7 @@ class BatchSearch
     {
         double gate = 5.9915;
         int maxCandidates = 1;
+        int firstStageCandidates = 1;
         BatchOptions options;
         std::optional<double> minScore;  ///< of a candidate; nothing: the search's own
     };
@@ -34,8 +35,11 @@ class BatchSearch
 
     /** The oldest landmarks that are far enough from each other, in their own gates. */
     void searchFirstStage();
-    /** The others, farthest from the searched ones first, in gates given the accepted pairs. */
-    void searchRest(const std::vector<int>& accepted);
+    /** The others, farthest from the searched ones first, in gates given the accepted pairs; before
+     *  them, once more, what was found and rejected.
+     *  \param accepted  of every pair found; after this call, of those that were there before
+     *  \return whether there are pairs to decide about that were not there before */
+    bool searchRest(std::vector<int>& accepted);
 
     /** Goes on with another prediction of the same frame; pairs and records follow by landmark. */
     void moveTo(Prediction prediction);
@@ -54,8 +58,10 @@ class BatchSearch
                                            Eigen::Index row) const;
     void listRows();
     [[nodiscard]] const PredictedLandmark& at(Eigen::Index row) const;
-    bool search(Eigen::Index row, const SearchRegion& region);
+    bool search(Eigen::Index row, SearchRegion region, int maxCandidates);
+    void keepChosen(std::vector<int>& accepted);
     [[nodiscard]] std::vector<double> spreads() const;
+    void searchRejectedAgain(const std::vector<int>& accepted, const ConditionalPrediction& given);
     void pickSpread(const std::function<SearchRegion(Eigen::Index)>& regionOf);
 
     Prediction prediction_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -86,6 +87,7 @@ class Hohct : public BatchAssociator
     {
         AssociatorTraits t;
         t.spatial = true;
+        t.multipleCandidates = getsSeveralCandidates();
         t.hypothesesWithinFrame = true;
         return t;
     }
@@ -93,12 +95,15 @@ class Hohct : public BatchAssociator
    private:
     [[nodiscard]] bool validatesJointly() const override { return true; }
     [[nodiscard]] int maxCandidates() const override { return options_.maxCandidates; }
+    [[nodiscard]] bool choosesAmongSeveral() const override { return true; }
 
     [[nodiscard]] std::vector<int> select(const AssociationProblem& problem,
                                           AssociationCounters& counters) const override
     {
-        return options_.maxCandidates > 1 ? selectAmongSeveral(problem, counters)
-                                          : selectSubset(problem, counters);
+        const bool several =
+            std::any_of(problem.candidates.begin(), problem.candidates.end(),
+                        [](const std::vector<Candidate>& of) { return of.size() > 1; });
+        return several ? selectAmongSeveral(problem, counters) : selectSubset(problem, counters);
     }
 
     [[nodiscard]] std::vector<int> selectAmongSeveral(const AssociationProblem& problem,

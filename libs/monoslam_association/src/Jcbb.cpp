@@ -30,7 +30,7 @@ class JcbbAssociator : public BatchAssociator
     {
         AssociatorTraits t;
         t.spatial = true;
-        t.multipleCandidates = maxCandidates_ > 1;
+        t.multipleCandidates = getsSeveralCandidates();
         t.hypothesesWithinFrame = true;
         return t;
     }
@@ -38,6 +38,8 @@ class JcbbAssociator : public BatchAssociator
    private:
     [[nodiscard]] bool validatesJointly() const override { return true; }
     [[nodiscard]] int maxCandidates() const override { return maxCandidates_; }
+    /** Without its bound the search visits every assignment. */
+    [[nodiscard]] bool choosesAmongSeveral() const override { return options_.bound; }
 
     /** Candidates of one landmark, nearest first by the prior's S. */
     static std::vector<int> byDistance(const AssociationProblem& problem, std::size_t i)

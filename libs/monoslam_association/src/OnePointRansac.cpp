@@ -69,7 +69,7 @@ class OnePointRansac : public Associator
     {
         Belief& belief = onlyBelief(predicted);
         ThreadClock clock;
-        BatchSearch search(view.predict(belief), view, {gate_, 1, batch_, {}});
+        BatchSearch search(view.predict(belief), view, {gate_, 1, 1, batch_, {}});
         search.counters.updateMs += clock.lap_ms();
         std::vector<int> chosen =
             searchInStages(search, belief, view,

@@ -33,9 +33,9 @@ std::vector<int> searchInStages(BatchSearch& search, Belief& prior, const FrameV
         if (!enough) accepted = decide(search);
         counters.selectMs += clock.lap_ms();
     }
-    search.searchRest(accepted);
+    const bool undecided = search.searchRest(accepted);
     counters.searchMs += clock.lap_ms();
-    if (search.problem().rows.size() > accepted.size()) accepted = decide(search);
+    if (undecided) accepted = decide(search);
     counters.selectMs += clock.lap_ms();
     return accepted;
 }

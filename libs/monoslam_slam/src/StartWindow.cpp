@@ -16,6 +16,7 @@ namespace
 {
 constexpr double kClearlyBetter = 0.9;  ///< cost of another solution over that of the filter's own
 constexpr double kHopeless = 2.0;       ///< the same before its outliers are known
+constexpr double kWorse = 2.0;          ///< cost of a pixel over the least of earlier estimates
 constexpr double kDegree = 0.017453292519943295;
 constexpr int kLeastLandmarks = 8;
 constexpr long kLeastSeenLast = 15;  ///< landmarks that hold the last view in the new map
@@ -27,6 +28,11 @@ double inlierRatio(const SmoothedWindow& smoothed)
 {
     const auto good = std::count(smoothed.inlier.begin(), smoothed.inlier.end(), true);
     return static_cast<double>(good) / static_cast<double>(smoothed.inlier.size());
+}
+
+double costOfPixel(const SmoothedWindow& smoothed)
+{
+    return smoothed.cost / static_cast<double>(smoothed.inlier.size());
 }
 
 /** Median angle between what is seen of the points from two places; 0 without points. */
@@ -139,11 +145,14 @@ void StartWindow::passThresholds(double parallax_deg)
 }
 
 /** The best of several estimates. Others than the filter's guess are tried as long as the parallax is
- *  small, where a wrong structure can explain nearly all pixels, and later if that guess fits badly. */
+ *  small, where a wrong structure can explain nearly all pixels, and later if that guess fits badly or
+ *  much worse than earlier ones: the pixels' noise does not grow, but what is wrong with a structure
+ *  shows when the parallax does. */
 SmoothedWindow StartWindow::smooth(const Window& window, bool& ownGuess) const
 {
     SmoothedWindow found = smoothWindow(camera_, window);
-    const bool fits = found.usable && inlierRatio(found) >= options_.good_inlier_ratio;
+    const bool fits = found.usable && inlierRatio(found) >= options_.good_inlier_ratio &&
+                      costOfPixel(found) <= kWorse * leastCost_;
     if (fits && nextThreshold_ > kAmbiguousThresholds) return found;
     std::vector<Window> others{flatGuess(window)};
     if (auto twoView = twoViewGuess(window, camera_)) others.push_back(std::move(*twoView));
@@ -192,6 +201,7 @@ std::optional<RefinedStart> StartWindow::refine(const Belief& belief,
                                      enough(parallaxOf_rad(problem.window, smoothed) / kDegree));
     if (look == Look::ForOther && !other) return std::nullopt;
     lastInlierRatio_ = smoothed.usable ? inlierRatio(smoothed) : 0.0;
+    if (smoothed.usable) leastCost_ = std::min(leastCost_, costOfPixel(smoothed));
     if (!smoothed.usable || lastInlierRatio_ < options_.accept_inlier_ratio) return std::nullopt;
     estimate.keep = trusted(problem.window, smoothed, options_);
     if (std::count(estimate.keep.begin(), estimate.keep.end(), true) < kLeastLandmarks)

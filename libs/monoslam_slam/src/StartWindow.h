@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -74,5 +75,6 @@ class StartWindow
     std::vector<StartView> views_;
     std::size_t lastLook_ = 0;
     double lastInlierRatio_ = 1.0;
+    double leastCost_ = std::numeric_limits<double>::infinity();  ///< of a pixel, of all estimates
 };
 }  // namespace monoslam

@@ -18,6 +18,7 @@ struct MONOSLAM_ASSOCIATION_EXPORT BatchOptions
     int first_stage = 12;            ///< landmarks searched first, which shrink the other gates;
                                      ///< 0 = one stage
     double first_stage_distance_px = 80.0;  ///< between two of them
+    int first_stage_candidates = 3;         ///< of each of them, where the decision is a joint one
     int max_measured = 60;                  ///< landmarks searched in a frame
     double final_gate_probability = 0.999;  ///< test of each accepted pair given all others;
                                             ///< 1 = off
@@ -47,7 +48,9 @@ struct AssociationProblem
  *
  *      S_j|a = S_j - HPHt_ja S_aa^-1 HPHt_aj,   centre = h_j + HPHt_ja S_aa^-1 nu_a
  *
- * Everything is then linearised again at the mean that those pairs give (an iterated EKF), because
+ * The first gates are wide and hold what looks alike: a strategy that decides jointly among several
+ * candidates gets first_stage_candidates of each, and what it rejects is searched once more in its
+ * shrunken gate. Everything is then linearised again at the mean that those pairs give (an iterated EKF), because
  * a fast turn bends the projection by pixels, which joint tests would take for outliers.
  * Then select() decides over the pairs of both stages against the prior's joint S. Joint strategies
  * go through one more test: every accepted pair given all others, and every rejected pair given
@@ -64,16 +67,28 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
     [[nodiscard]] virtual std::vector<int> select(const AssociationProblem& problem,
                                                   AssociationCounters& counters) const = 0;
     [[nodiscard]] virtual int maxCandidates() const { return 1; }
+    /** Whether select() finds the jointly compatible among several candidates of each landmark. */
+    [[nodiscard]] virtual bool choosesAmongSeveral() const { return false; }
     /** Least score of a candidate; nothing: the search's own. */
     [[nodiscard]] virtual std::optional<double> minScore() const { return std::nullopt; }
     [[nodiscard]] virtual bool validatesJointly() const { return false; }
     [[nodiscard]] std::vector<int> decide(const AssociationProblem& problem,
                                           AssociationCounters& counters) const;
 
+    [[nodiscard]] int firstStageCandidates() const;
+
     /** Both stages of search and decision: index of the accepted candidate of every pair found. */
     [[nodiscard]] std::vector<int> choose(BatchSearch& search, Belief& prior,
                                           const FrameView& view) const;
 
+   protected:
+    /** Of any landmark, in any stage. */
+    [[nodiscard]] bool getsSeveralCandidates() const
+    {
+        return maxCandidates() > 1 || (options_.first_stage > 0 && firstStageCandidates() > 1);
+    }
+
+   private:
     BatchOptions options_;
     double gate_;
     double finalGate_;
