@@ -34,6 +34,11 @@ int BatchAssociator::firstStageCandidates() const
                                  : maxCandidates();
 }
 
+bool BatchAssociator::getsSeveralCandidates() const
+{
+    return maxCandidates() > 1 || (options_.first_stage > 0 && firstStageCandidates() > 1);
+}
+
 std::vector<int> BatchAssociator::choose(BatchSearch& search, Belief& prior,
                                          const FrameView& view) const
 {

@@ -21,7 +21,7 @@ struct DrawnAssignment
 };
 
 /** An assignment drawn landmark by landmark, in random order, each given the pairs drawn before. A
- *  landmark chooses among all items that may be it, so that an echo competes with what it is an echo of:
+ *  landmark chooses among all items that may be it: an echo competes with what it is an echo of.
  *
  *      l_j = P_D / (1 - P_D) N(nu_j; 0, S_j | drawn) / clutter density,   l_0 = 1 for "missed"
  *      p_j = l_j / sum,   ln w += ln sum,   besides the clutter density of every item

@@ -50,8 +50,9 @@ struct AssociationProblem
  *
  * The first gates are wide and hold what looks alike: a strategy that decides jointly among several
  * candidates gets first_stage_candidates of each, and what it rejects is searched once more in its
- * shrunken gate. Everything is then linearised again at the mean that those pairs give (an iterated EKF), because
- * a fast turn bends the projection by pixels, which joint tests would take for outliers.
+ * shrunken gate. Before that everything is linearised again at the mean that the accepted pairs give
+ * (an iterated EKF) if they depart from the prior's linearisation: a fast turn bends the projection
+ * by pixels, which joint tests would take for outliers.
  * Then select() decides over the pairs of both stages against the prior's joint S. Joint strategies
  * go through one more test: every accepted pair given all others, and every rejected pair given
  * the accepted ones, against chi2(2, final_gate_probability). */
@@ -61,6 +62,10 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
     explicit BatchAssociator(const BatchOptions& options);
     [[nodiscard]] Correction correct(Mixture predicted, const FrameView& view,
                                      std::mt19937& rng) const final;
+
+   protected:
+    /** Of any landmark, in any stage. */
+    [[nodiscard]] bool getsSeveralCandidates() const;
 
    private:
     /** Index of the accepted candidate for each entry of problem.rows, -1 = none. */
@@ -81,14 +86,6 @@ class MONOSLAM_ASSOCIATION_EXPORT BatchAssociator : public Associator
     [[nodiscard]] std::vector<int> choose(BatchSearch& search, Belief& prior,
                                           const FrameView& view) const;
 
-   protected:
-    /** Of any landmark, in any stage. */
-    [[nodiscard]] bool getsSeveralCandidates() const
-    {
-        return maxCandidates() > 1 || (options_.first_stage > 0 && firstStageCandidates() > 1);
-    }
-
-   private:
     BatchOptions options_;
     double gate_;
     double finalGate_;
