@@ -99,11 +99,12 @@ def sweep(runs, parameters, folder):
                          fmt="o-", color=colour, capsize=2, ms=4, label=sequence)
             bottom.plot(own.value, own.frame_ms, "o-", color=colour, ms=4, label=sequence)
         for axis in (top, bottom):
-            axis.set(xlabel=sweeps.TITLES[parameter], xscale="log" if points.value.min() >= 1 else "linear")
+            axis.set(xlabel=sweeps.TITLES[parameter], xscale="log" if points.value.min() >= 1 else "logit")
             axis.set_xticks(points.value.unique(), [f"{v:g}" for v in points.value.unique()], fontsize=7)
             axis.minorticks_off()
         top.set(yscale="log")
         plain_numbers(top)
+        bottom.set_ylim(bottom=0)
     axes[0, 0].set_ylabel("position error [mm]")
     axes[1, 0].set_ylabel("time a frame [ms]")
     axes[0, 0].legend(fontsize=7)
