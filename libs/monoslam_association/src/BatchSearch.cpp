@@ -183,10 +183,11 @@ void BatchSearch::keepChosen(std::vector<int>& accepted)
 void BatchSearch::searchRejectedAgain(const std::vector<int>& accepted,
                                       const ConditionalPrediction& given)
 {
-    AssociationProblem before = problem_;
-    problem_.rows.clear();
-    problem_.candidates.clear();
-    problem_.regions.clear();
+    if (std::find(accepted.begin(), accepted.end(), -1) == accepted.end()) return;
+    AssociationProblem before;
+    std::swap(before.rows, problem_.rows);
+    std::swap(before.candidates, problem_.candidates);
+    std::swap(before.regions, problem_.regions);
     for (std::size_t i = 0; i < before.rows.size(); ++i)
     {
         const Eigen::Index row = before.rows[i];
