@@ -8,8 +8,8 @@ packages=(
     libboost-dev libeigen3-dev libtclap-dev nlohmann-json3-dev zlib1g-dev
     libmrpt-bayes-dev libmrpt-config-dev libmrpt-obs-dev libmrpt-opengl-dev
     libmrpt-slam-dev
-    libopencv-calib3d-dev libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
-    libopencv-videoio-dev
+    libopencv-calib3d-dev libopencv-core-dev libopencv-features2d-dev libopencv-imgcodecs-dev
+    libopencv-imgproc-dev libopencv-videoio-dev
 )
 for group in "$@"; do
     case $group in

@@ -116,6 +116,44 @@ TEST(Runs, FirstPapersSettingsAndMrptsFilterFollowTheShippedSequence)
     }
 }
 
+/** The lens is covered for a second: what the run says meanwhile, and that it comes back to its map. */
+TEST(Runs, ACoveredLensIsSaidAndTheMapIsFoundAgain)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path desk = shipped("datasets/desk");
+    const std::filesystem::path copy = folder / "desk";
+    std::filesystem::create_directory(copy);
+    for (const char* name : {"camera.yaml", "groundtruth.txt", "rgb.txt", "desk_Images"})
+        std::filesystem::copy(desk / name, copy / name, std::filesystem::copy_options::recursive);
+    for (int k = 100; k < 130; ++k)
+    {
+        char name[40];
+        std::snprintf(name, sizeof name, "desk_Images/%06d.jpg", k);
+        writeText((copy / name).string(), "P5 640 480 255\n" + std::string(640 * 480, '\x1e'));
+    }
+    const std::string rawlog = quoted(makeRawlog(copy, folder / "covered.rawlog"));
+    const auto covered = [&](const std::string& name, const std::string& more)
+    {
+        run(kDesk + " " + rawlog + more, folder / name);
+        evaluate((copy / "groundtruth.txt").string(), folder / name);
+        return figure(folder / (name + "/figures.json"), "none_ate_median_mm");
+    };
+    EXPECT_LT(covered("with", ""), 3.0);
+    EXPECT_NE(readText(folder / "with/summary.json").find("back in the map that was lost"),
+              std::string::npos);
+    EXPECT_GE(figure(folder / "with/figures.json", "frames_lost"), 20.0);
+    EXPECT_LE(figure(folder / "with/summary.json", "frames_degraded"), 15.0);
+    CsvFile frames(folder / "with/frames.csv");
+    for (long k = 0; frames.next(); ++k)
+    {
+        if (k < 105 || k >= 130) continue;
+        EXPECT_EQ(frames.text("state"), "lost") << k;
+    }
+
+    EXPECT_GT(covered("without", " --set map.relocalize_every=0"), 10.0);
+    EXPECT_GE(figure(folder / "without/summary.json", "frames_degraded"), 100.0);
+}
+
 TEST(Runs, RealChessboardSequenceIsMetric)
 {
     const auto datasets = realDatasets();

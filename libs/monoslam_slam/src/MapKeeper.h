@@ -56,6 +56,9 @@ class MapKeeper
      *  every landmark that is not in it, and all candidates. */
     void keepOnly(const Belief& belief);
 
+    /** Goes on with a belief of before and what was known of its landmarks then. */
+    void takeOver(LandmarkRecords records);
+
     /** A map estimated anew knows what was seen often: the rest of what was matched in this frame
      *  enters it again, undelayed, where it was seen, unless it is distrusted. Without it a camera
      *  that turns away from its first view would face an empty part of the map. */

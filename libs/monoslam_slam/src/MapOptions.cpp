@@ -22,6 +22,7 @@ MapOptions MapOptions::from(ConfigSection section)
         section.get("degraded_rejected_share", o.degraded_rejected_share, kRatio);
     o.degraded_residual_px = section.get("degraded_residual_px", o.degraded_residual_px, kFromZero);
     o.lost_after = section.get("lost_after", o.lost_after, {1, 10000});
+    o.relocalize_every = section.get("relocalize_every", o.relocalize_every, {0, 10000});
     section.rejectUnknownKeys();
     return o;
 }

@@ -38,8 +38,12 @@ FrameReport MonoSlam::process(const Frame& frame)
     }
     else
     {
-        impl_->track(context, dt_s, report, clock);
-        impl_->judge.assess(report, impl_->noise.sigma_px(), impl_->startUnexplained());
+        const bool returned = impl_->returnToLostMap(context);
+        if (returned) report.remark = "back in the map that was lost";
+        report.times.prepare_ms += clock.lap_ms();
+        impl_->track(context, returned ? 0.0 : dt_s, report, clock);
+        impl_->judge.assess(report, impl_->noise.sigma_px(), impl_->startUnexplained(),
+                            impl_->afterGap);
         if (report.state == TrackingState::Lost) impl_->restart(context);
     }
     impl_->refineStart(context, report);

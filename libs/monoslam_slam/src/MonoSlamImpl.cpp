@@ -7,7 +7,7 @@
 #include "dismissMatches.h"
 #include "monoslam_association/fateCounts.h"
 #include "postFitResiduals.h"
-#include "startBelief.h"
+#include "predictionGap.h"
 
 namespace monoslam
 {
@@ -31,12 +31,14 @@ void MonoSlam::Impl::check(const Frame& frame) const
 std::string MonoSlam::Impl::start(const FrameContext& context, const cv::Mat& image)
 {
     std::string note;
+    std::optional<MetricPose> target;
     if (options.metricStart.method != MetricStartMethod::None)
     {
         const MetricStartResult result = findMetricPose(image, camera, options.metricStart);
         note = result.reason;
         if (!result.found) return note;
         target = result.found;
+        origin = WorldOrigin{target->pose, target->P};
     }
     StartBelief first = startBelief(target ? &*target : nullptr, options.initialization);
     mixture = {{std::move(first.belief), 0.0}};
@@ -45,18 +47,6 @@ std::string MonoSlam::Impl::start(const FrameContext& context, const cv::Mat& im
     if (!options.start.parallax_deg.empty())
         window.emplace(options.start, camera, target.has_value());
     return note;
-}
-
-/** A new map around the last pose, in the old map's median depth, when nothing matches any more. */
-void MonoSlam::Impl::restart(const FrameContext& context)
-{
-    const Belief& old = best(mixture);
-    StartBelief again = restartBelief(old, keeper.medianRho(old), options.initialization);
-    mixture = {{std::move(again.belief), 0.0}};
-    keeper.keepOnly(best(mixture));
-    mixture = keeper.addFirst(std::move(mixture), context, again.rho0, again.sigma_rho);
-    if (!options.start.parallax_deg.empty()) window.emplace(options.start, camera, false);
-    judge.noteRestart();
 }
 
 VisibilityOptions MonoSlam::Impl::visibility() const
@@ -115,11 +105,24 @@ Correction MonoSlam::Impl::correct(const FrameContext& context, FrameReport& rep
     return correction;
 }
 
+void MonoSlam::Impl::predict(double dt_s)
+{
+    const Matrix13d before = best(mixture).P.topLeftCorner<13, 13>();
+    const Vector13d x_v = best(mixture).camera();
+    const double rho = keeper.medianRho(best(mixture));
+    for (auto& weighted : mixture)
+        weighted.belief = engine.predict(std::move(weighted.belief), options.motion, dt_s);
+    const double grown_rad = lineOfSightGrowth_rad(
+        poseCovariance(x_v, before),
+        poseCovariance(best(mixture).camera(), best(mixture).P.topLeftCorner<13, 13>()), rho);
+    afterGap = options.map.relocalize_every > 0 &&
+               camera.parameters().fx_px * grown_rad > options.search.max_radius_px;
+}
+
 void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport& report,
                            ThreadClock& clock)
 {
-    for (auto& weighted : mixture)
-        weighted.belief = engine.predict(std::move(weighted.belief), options.motion, dt_s);
+    predict(dt_s);
     report.times.predict_ms = clock.lap_ms();
 
     Correction correction = correct(context, report);
@@ -143,6 +146,7 @@ void MonoSlam::Impl::track(const FrameContext& context, double dt_s, FrameReport
     report.residualRms_px = residualRms_px(belief, camera, correction.associations);
     mixture = keeper.revise(std::move(mixture), correction, context);
     report.associations = std::move(correction.associations);
+    noteView(context, report);
 }
 
 /** Re-estimates the first seconds, where a wrong linearisation would stay for ever. Of several
@@ -171,7 +175,7 @@ void MonoSlam::Impl::summarize(FrameReport& report) const
     const Belief& belief = best(mixture);
     report.x_v = belief.camera();
     report.P_v = belief.P.topLeftCorner<13, 13>();
-    if (target) report.P_v.topLeftCorner<7, 7>() += worldCovariance(*target, report.x_v.head<7>());
+    if (origin) report.P_v.topLeftCorner<7, 7>() += worldCovariance(*origin, report.x_v.head<7>());
     report.readout_s = camera.parameters().readout_s;
     report.landmarks = static_cast<int>(belief.landmarks.size());
     report.visible = static_cast<int>(report.associations.size());

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "LandmarkFinder.h"
+#include "LostMaps.h"
 #include "MapKeeper.h"
 #include "MatchNoise.h"
 #include "ReadoutEstimator.h"
@@ -14,6 +15,7 @@
 #include "TrackingJudge.h"
 #include "monoslam_slam/MonoSlam.h"
 #include "monoslam_support/ThreadClock.h"
+#include "startBelief.h"
 
 namespace monoslam
 {
@@ -47,12 +49,23 @@ struct MonoSlam::Impl
     double t_s = 0.0;
     bool anyFrame = false;
     std::optional<StartWindow> window;
-    std::optional<MetricPose> target;  ///< what the world was defined by
+    std::optional<WorldOrigin> origin;  ///< if there is something not known of it
+    LostMaps lost;
+    LastView lastView;
+    int unlooked = 0;       ///< frames since the last look for a lost map
+    bool afterGap = false;  ///< the prediction of this frame does not tell where to search
     ProblemObserver observer;
 
     void check(const Frame& frame) const;
     std::string start(const FrameContext& context, const cv::Mat& image);
+    void noteView(const FrameContext& context, const FrameReport& report);
+    void remember(double rho0);
     void restart(const FrameContext& context);
+    [[nodiscard]] bool verify(const FrameContext& context, const LostMap& map,
+                              const Belief& placed);
+    [[nodiscard]] bool returnToLostMap(const FrameContext& context);
+    void enter(LostMap map, Belief placed);
+    void predict(double dt_s);
     void track(const FrameContext& context, double dt_s, FrameReport& report, ThreadClock& clock);
     [[nodiscard]] Correction correct(const FrameContext& context, FrameReport& report);
     [[nodiscard]] VisibilityOptions visibility() const;

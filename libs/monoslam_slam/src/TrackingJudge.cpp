@@ -10,7 +10,8 @@ namespace
 constexpr double kForget = 0.05;  ///< weight of one frame in the running share
 }  // namespace
 
-void TrackingJudge::assess(FrameReport& report, double sigma_px, bool startUnexplained)
+void TrackingJudge::assess(FrameReport& report, double sigma_px, bool startUnexplained,
+                           bool afterGap)
 {
     report.state = TrackingState::Tracking;
     poorFrames_ = report.matched < options_.min_matched ? poorFrames_ + 1 : 0;
@@ -33,12 +34,21 @@ void TrackingJudge::assess(FrameReport& report, double sigma_px, bool startUnexp
     if (poorFrames_ == 0) return;
     degraded(report.contradicted ? "matches contradicted by landmarks that are elsewhere"
                                  : "only " + std::to_string(report.matched) + " landmarks matched");
-    if (poorFrames_ >= options_.lost_after) report.state = TrackingState::Lost;
+    const bool nothingToFind = restarted_ && report.associations.empty();
+    if (poorFrames_ >= options_.lost_after || (afterGap && poorFrames_ == 1) || nothingToFind)
+        report.state = TrackingState::Lost;
 }
 
 void TrackingJudge::noteRestart()
 {
     restarted_ = true;
     poorFrames_ = 0;
+}
+
+void TrackingJudge::noteReturn(bool guessed)
+{
+    restarted_ = guessed;
+    poorFrames_ = 0;
+    rejectedShare_ = 0.0;
 }
 }  // namespace monoslam

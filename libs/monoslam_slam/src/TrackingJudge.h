@@ -14,11 +14,23 @@ class TrackingJudge
 
     /** Sets state and remark of a frame that was tracked.
      *  \param sigma_px  noise that the residuals show
-     *  \param startUnexplained  whether no estimate explains the first seconds */
-    void assess(FrameReport& report, double sigma_px, bool startUnexplained);
+     *  \param startUnexplained  whether no estimate explains the first seconds
+     *  \param afterGap  whether the frame before did not tell where to search: what then matches
+     *                   nothing is lost at once */
+    void assess(FrameReport& report, double sigma_px, bool startUnexplained, bool afterGap);
 
     /** The map was begun anew: from now on pose and scale are guesses. */
     void noteRestart();
+
+    /** The way back into a map that was lost was found.
+     *  \param guessed  whether that one was begun after a loss, too */
+    void noteReturn(bool guessed);
+
+    /** Whether pose and scale are guesses since a loss. */
+    [[nodiscard]] bool restarted() const { return restarted_; }
+
+    /** Whether the frame before matched too little. */
+    [[nodiscard]] bool poor() const { return poorFrames_ > 0; }
 
    private:
     MapOptions options_;

@@ -56,16 +56,16 @@ StartBelief restartBelief(const Belief& old, double rho0, const InitializationOp
     return start;
 }
 
-Eigen::Matrix<double, 7, 7> worldCovariance(const MetricPose& target, const Vector7d& pose)
+Eigen::Matrix<double, 7, 7> worldCovariance(const WorldOrigin& origin, const Vector7d& pose)
 {
     Vector13d x_v = Vector13d::Zero();
-    Matrix13d P_target = Matrix13d::Zero();
-    x_v.head<7>() = target.pose;
-    P_target.topLeftCorner<7, 7>() = target.P;
-    const Eigen::Matrix<double, 6, 6> P_first = poseCovariance(x_v, P_target);
-    const Eigen::Matrix3d R_w0 = rotationMatrix(target.pose.tail<4>());
+    Matrix13d P_origin = Matrix13d::Zero();
+    x_v.head<7>() = origin.pose;
+    P_origin.topLeftCorner<7, 7>() = origin.P;
+    const Eigen::Matrix<double, 6, 6> P_first = poseCovariance(x_v, P_origin);
+    const Eigen::Matrix3d R_w0 = rotationMatrix(origin.pose.tail<4>());
     const Eigen::Matrix3d R_wc = rotationMatrix(pose.tail<4>());
-    const Eigen::Vector3d d = pose.head<3>() - target.pose.head<3>();
+    const Eigen::Vector3d d = pose.head<3>() - origin.pose.head<3>();
     Eigen::Matrix4d QL;
     (void)quaternionProduct(pose.tail<4>(), Eigen::Vector4d::UnitX(), nullptr, &QL);
     Eigen::Matrix<double, 7, 6> J = Eigen::Matrix<double, 7, 6>::Zero();

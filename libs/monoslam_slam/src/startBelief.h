@@ -26,9 +26,17 @@ struct StartBelief
 [[nodiscard]] StartBelief restartBelief(const Belief& old, double rho0,
                                         const InitializationOptions& options);
 
-/** What the uncertainty of the first pose in the target's world adds to that of a later pose:
+/** A pose that a map holds fixed, and what is not known of it in the world: the first one in that of a
+ *  metric target, or the one at which a map was begun anew after a loss. */
+struct WorldOrigin
+{
+    Vector7d pose;                  ///< (r_wc, q_wc)
+    Eigen::Matrix<double, 7, 7> P;  ///< of it
+};
+
+/** What the uncertainty of the map's origin in the world adds to that of a later pose:
  *  dr = dr0 + phi x (r - r0), dtheta = R' phi, phi = R0 dtheta0. The filter holds the first pose fixed,
  *  because a common error of the whole map is what an EKF linearises worst. */
-[[nodiscard]] Eigen::Matrix<double, 7, 7> worldCovariance(const MetricPose& target,
+[[nodiscard]] Eigen::Matrix<double, 7, 7> worldCovariance(const WorldOrigin& origin,
                                                           const Vector7d& pose);
 }  // namespace monoslam

@@ -86,4 +86,13 @@ void MapKeeper::keepOnly(const Belief& belief)
     tracks_.push_back(std::move(tracks));
     best_ = 0;
 }
+
+void MapKeeper::takeOver(LandmarkRecords records)
+{
+    corners_.clear();
+    records_ = std::move(records);
+    tracks_.assign(1, {});
+    for (const auto& [id, record] : records_) tracks_.front()[id] = record;
+    best_ = 0;
+}
 }  // namespace monoslam

@@ -25,7 +25,7 @@ enum class TrackingState
 /** CPU time of every stage of one frame, of all threads [ms]; decoding is not among them. */
 struct StageTimes
 {
-    double prepare_ms = 0.0;    ///< pyramid and integral images
+    double prepare_ms = 0.0;    ///< pyramid and integral images; the look for a lost map
     double predict_ms = 0.0;    ///< filter prediction
     double search_ms = 0.0;     ///< image search
     double associate_ms = 0.0;  ///< association proper

@@ -23,6 +23,7 @@ struct MONOSLAM_SLAM_EXPORT MapOptions
                                            ///< says degraded
     double degraded_residual_px = 0.75;    ///< the same for the noise that the residuals show
     int lost_after = 5;                    ///< such frames in a row until the state says lost
+    int relocalize_every = 5;  ///< frames between two looks for a map that was lost; 0 = never
 
     static MapOptions from(ConfigSection section);
 };
