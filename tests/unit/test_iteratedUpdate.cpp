@@ -45,8 +45,9 @@ class SecondFrame
     Belief update(int maxIterations)
     {
         int faults = 0;
+        Belief prior = belief_;
         Belief posterior =
-            iteratedUpdate({belief_, prediction_, at_}, pixels_, view_, maxIterations, faults);
+            iteratedUpdate({prior, prediction_, at_}, pixels_, view_, maxIterations, faults);
         EXPECT_EQ(faults, 0);
         return posterior;
     }

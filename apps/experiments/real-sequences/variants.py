@@ -5,7 +5,7 @@
     build/venv-report/bin/python apps/experiments/real-sequences/variants.py [--datasets DIR] [--output DIR] [--only NAME ...]
                                                                              [--jobs N]
 
-Every sequence is changed in six ways, its truth and calibration with it, and run with config/default.ini from its first frame
+Every sequence is changed in eight ways, its truth and calibration with it, and run with config/default.ini from its first frame
 with two seeds, at half rate with two seeds, at a third of the rate, and from frames 20 and 40 (not phone_desk, which would not
 come back to where it began). Camera, target and readout are named as in run.py. Finished runs are kept. The Python packages are those
 of the report (apps/mono-slam-report/install.sh).
@@ -116,8 +116,21 @@ def flickering(sequence):
     return lambda image, index: noisy(image, gains[index], 0.0, 2.0, sequence.rng)
 
 
+def covered(sequence):
+    """Twenty frames in the middle show a lens in the dark."""
+    dark = range(len(sequence.frames) // 2, len(sequence.frames) // 2 + 20)
+    return lambda image, index: noisy(image, 0.02, 30.0, 2.0, sequence.rng) if index in dark else image
+
+
+def interrupted(sequence):
+    """Forty frames are missing in the middle."""
+    middle = len(sequence.frames) // 2
+    del sequence.frames[middle:middle + 40]
+    return lambda image, _index: image
+
+
 VARIANTS = {"mirrored": mirrored, "backwards": backwards, "half size": half_size, "cropped": cropped, "dim": dim,
-            "flickering": flickering}
+            "flickering": flickering, "covered": covered, "interrupted": interrupted}
 
 
 def write_variant(source, folder, change):

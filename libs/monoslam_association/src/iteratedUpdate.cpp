@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "iteratedUpdate.h"
 
+#include <utility>
+
 #include "ConditionalPrediction.h"
 #include "relinearize.h"
 
@@ -8,12 +10,12 @@ namespace monoslam
 {
 namespace
 {
-/** A prediction of the prior, the pixels on its rows, and the posterior that they give. */
+/** A prediction of the prior, the pixels on its rows, and the update that they give. */
 struct Linearization
 {
     const Prediction* prediction;
     std::vector<PixelMeasurement> pixels;
-    Belief posterior;
+    PendingUpdate update;
 };
 }  // namespace
 
@@ -22,19 +24,19 @@ Belief iteratedUpdate(const LinearizedPrior& from, const std::vector<PixelMeasur
 {
     Prediction latest;  // that of `now` after the first
     Linearization now{&from.prediction, pixels,
-                      view.engine.update(from.prior, from.prediction, pixels, &faults)};
+                      view.engine.correct(from.prior, from.prediction, pixels, &faults)};
     const int made = from.at.size() > 0 ? 2 : 1;
     for (int n = made; n < maxIterations; ++n)
     {
-        if (linearEnough(*now.prediction, now.pixels, from.prior, now.posterior.x, view)) break;
-        Prediction again = predictAt(view, from.prior, now.posterior.x);
+        if (linearEnough(*now.prediction, now.pixels, from.prior, now.update.x, view)) break;
+        Prediction again = predictAt(view, from.prior, now.update.x);
         auto moved = onRowsOf(again, *now.prediction, now.pixels);
         if (moved.size() < pixels.size()) break;  // a landmark left the image
         latest = std::move(again);
         now = {&latest, std::move(moved), {}};
-        now.posterior = view.engine.update(from.prior, latest, now.pixels, &faults);
+        now.update = view.engine.correct(from.prior, latest, now.pixels, &faults);
     }
-    return std::move(now.posterior);
+    return now.update.finish(std::move(from.prior));
 }
 
 bool updatable(const Prediction& prediction, std::vector<PixelMeasurement> pixels, double& d2)

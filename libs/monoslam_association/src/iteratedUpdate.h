@@ -11,13 +11,14 @@ namespace monoslam
 /** A prediction of a prior and where it is linearised. */
 struct LinearizedPrior
 {
-    Belief& prior;  ///< as before when a function that takes it returns
+    Belief& prior;  ///< consumed: the posterior is made of it
     const Prediction& prediction;
     Eigen::VectorXd at;  ///< empty: the prior's mean
 };
 
 /** EKF update, iterated until the projection agrees with its linearisation at the posterior to within
- *  the pixels' noise, at most \p maxIterations linearisations in all.
+ *  the pixels' noise, at most \p maxIterations linearisations in all. The
+ *  covariance is computed once, of the last of them.
  *  \throw std::runtime_error if S stays indefinite */
 [[nodiscard]] Belief iteratedUpdate(const LinearizedPrior& from,
                                     const std::vector<PixelMeasurement>& pixels,

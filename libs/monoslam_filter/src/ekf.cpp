@@ -31,6 +31,15 @@ void normalizeAt(Belief& belief, Eigen::Index offset)
     belief.P.middleRows<4>(offset).noalias() = J_n_q * rows;
 }
 
+/** Of a mean alone. \param layout  whose clones it has */
+void normalizeMean(Eigen::VectorXd& x, const Belief& layout)
+{
+    x.segment<4>(kOrientation) = normalizeQuaternion(x.segment<4>(kOrientation));
+    for (const auto& slot : layout.clones)
+        x.segment<4>(slot.offset + kOrientation) =
+            normalizeQuaternion(x.segment<4>(slot.offset + kOrientation));
+}
+
 Eigen::LLT<Eigen::MatrixXd> factorize(JointInnovation& joint,
                                       const std::vector<PixelMeasurement>& pixels, int* faults)
 {
@@ -113,21 +122,37 @@ JointInnovation stackInnovation(const Prediction& prediction,
     return joint;
 }
 
-Belief ekfUpdate(Belief prior, const Prediction& prediction,
-                 const std::vector<PixelMeasurement>& pixels, int* faults)
+EkfCorrection ekfCorrection(const Belief& prior, const Prediction& prediction,
+                            const std::vector<PixelMeasurement>& pixels, int* faults)
 {
-    if (pixels.empty()) return prior;
+    EkfCorrection correction{prior.x, {}, prior.x};
+    if (pixels.empty()) return correction;
     JointInnovation joint = stackInnovation(prediction, pixels);
     const auto llt = factorize(joint, pixels, faults);
-
-    Eigen::MatrixXd W = stackPHt(prediction, pixels);
-    llt.matrixU().solveInPlace<Eigen::OnTheRight>(W);
+    correction.W = stackPHt(prediction, pixels);
+    llt.matrixU().solveInPlace<Eigen::OnTheRight>(correction.W);
     const Eigen::VectorXd whitened = llt.matrixL().solve(joint.nu);
-    prior.x.noalias() += W * whitened;
-    prior.P.selfadjointView<Eigen::Lower>().rankUpdate(W, -1.0);
+    correction.raw.noalias() += correction.W * whitened;
+    correction.x = correction.raw;
+    normalizeMean(correction.x, prior);
+    return correction;
+}
+
+Belief applyCorrection(Belief prior, const EkfCorrection& correction)
+{
+    if (correction.W.size() == 0) return prior;
+    prior.x = correction.raw;
+    prior.P.selfadjointView<Eigen::Lower>().rankUpdate(correction.W, -1.0);
     mirrorLowerHalf(prior.P);
     normalizeQuaternions(prior);
     return prior;
+}
+
+Belief ekfUpdate(Belief prior, const Prediction& prediction,
+                 const std::vector<PixelMeasurement>& pixels, int* faults)
+{
+    const EkfCorrection correction = ekfCorrection(prior, prediction, pixels, faults);
+    return applyCorrection(std::move(prior), correction);
 }
 
 Eigen::VectorXd ekfUpdateMean(const Belief& prior, const Prediction& prediction,
@@ -139,10 +164,7 @@ Eigen::VectorXd ekfUpdateMean(const Belief& prior, const Prediction& prediction,
     const auto llt = factorize(joint, pixels, nullptr);
     const Eigen::VectorXd weights = llt.solve(joint.nu);
     x.noalias() += stackPHt(prediction, pixels) * weights;
-    x.segment<4>(kOrientation) = normalizeQuaternion(x.segment<4>(kOrientation));
-    for (const auto& slot : prior.clones)
-        x.segment<4>(slot.offset + kOrientation) =
-            normalizeQuaternion(x.segment<4>(slot.offset + kOrientation));
+    normalizeMean(x, prior);
     return x;
 }
 }  // namespace monoslam

@@ -3,6 +3,7 @@
 
 #include <mrpt/bayes/CKalmanFilterCapable.h>
 
+#include <memory>
 #include <stdexcept>
 
 #include "WhitenedRow.h"
@@ -183,11 +184,12 @@ FilterEngine makeMrptEngine()
     FilterEngine engine;
     engine.predict = [](Belief belief, const ConstantVelocityOptions& motion, double dt_s)
     { return MonoSlamKF(std::move(belief)).predict(motion, dt_s); };
-    engine.update = [](Belief prior, const Prediction& prediction,
-                       const std::vector<PixelMeasurement>& pixels, int*)
+    engine.correct = [](const Belief& prior, const Prediction& prediction,
+                        const std::vector<PixelMeasurement>& pixels, int*)
     {
-        if (pixels.empty()) return prior;
-        return MonoSlamKF(std::move(prior)).update(prediction, pixels);
+        const auto posterior = std::make_shared<const Belief>(
+            pixels.empty() ? prior : MonoSlamKF(prior).update(prediction, pixels));
+        return PendingUpdate{posterior->x, [posterior](Belief) { return *posterior; }};
     };
     return engine;
 }

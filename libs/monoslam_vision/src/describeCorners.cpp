@@ -54,8 +54,7 @@ double scaledPixel(double u, double scale)
     return scale * (u + 0.5) - 0.5;
 }
 
-/** Describes some pixels of an image of one scale.
- *  \param where  of each: row and index as they are to be appended */
+/** Describes some pixels of an image of one scale; origin is where it begins in the image itself. */
 void append(const cv::Mat& image, const std::vector<cv::Point2f>& pixels, double scale,
             const std::vector<std::size_t>& indices, const Eigen::Vector2d& origin,
             DescribedCorners& all)

@@ -38,6 +38,19 @@ struct PixelMeasurement
                                                       const std::vector<PixelMeasurement>& pixels,
                                                       int* faults = nullptr);
 
+/** The same in two steps: an iterated update asks for many means and one covariance. */
+struct EkfCorrection
+{
+    Eigen::VectorXd raw;  ///< x + W L^-1 nu
+    Eigen::MatrixXd W;    ///< P H' L^-T, N x 2m
+    Eigen::VectorXd x;    ///< raw with its quaternions normalised
+};
+[[nodiscard]] MONOSLAM_FILTER_EXPORT EkfCorrection
+ekfCorrection(const Belief& prior, const Prediction& prediction,
+              const std::vector<PixelMeasurement>& pixels, int* faults = nullptr);
+[[nodiscard]] MONOSLAM_FILTER_EXPORT Belief applyCorrection(Belief prior,
+                                                            const EkfCorrection& correction);
+
 /** Only the mean of that correction: x + P H' S^-1 nu, quaternions normalised; O(N m). */
 [[nodiscard]] MONOSLAM_FILTER_EXPORT Eigen::VectorXd ekfUpdateMean(
     const Belief& prior, const Prediction& prediction, const std::vector<PixelMeasurement>& pixels);
