@@ -33,4 +33,16 @@ Eigen::Matrix<double, 6, 6> poseCovariance(const Vector13d& x_v, const Matrix13d
     const Eigen::Matrix<double, 6, 6> C = T * P_v.topLeftCorner<7, 7>() * T.transpose();
     return 0.5 * (C + C.transpose());
 }
+
+StageTimes& StageTimes::operator+=(const StageTimes& more)
+{
+    prepare_ms += more.prepare_ms;
+    predict_ms += more.predict_ms;
+    search_ms += more.search_ms;
+    associate_ms += more.associate_ms;
+    update_ms += more.update_ms;
+    map_ms += more.map_ms;
+    total_ms += more.total_ms;
+    return *this;
+}
 }  // namespace monoslam

@@ -39,12 +39,9 @@ FrameReport MonoSlam::process(const Frame& frame)
     else
     {
         const bool returned = impl_->returnToLostMap(context);
-        if (returned) report.remark = "back in the map that was lost";
         report.times.prepare_ms += clock.lap_ms();
-        impl_->track(context, returned ? 0.0 : dt_s, report, clock);
-        impl_->judge.assess(report, impl_->noise.sigma_px(), impl_->startUnexplained(),
-                            impl_->afterGap);
-        if (report.state == TrackingState::Lost) impl_->restart(context);
+        impl_->trackAndJudge(context, returned ? 0.0 : dt_s, returned, report, clock);
+        if (report.state == TrackingState::Lost) impl_->lose(context, report, clock);
     }
     impl_->refineStart(context, report);
     report.times.map_ms = clock.lap_ms();

@@ -2,6 +2,7 @@
 #include "MonoSlamImpl.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "contradiction.h"
 #include "dismissMatches.h"
@@ -11,6 +12,11 @@
 
 namespace monoslam
 {
+namespace
+{
+constexpr double kGap = 3.0;  ///< steps of the frame before: more is a gap in the recording
+}  // namespace
+
 void MonoSlam::Impl::check(const Frame& frame) const
 {
     const CameraParameters& p = camera.parameters();
@@ -99,7 +105,9 @@ Correction MonoSlam::Impl::correct(const FrameContext& context, FrameReport& rep
     const FrameView view = viewOf(finder);
     Correction correction = associator->correct(std::move(mixture), view, rng);
     report.contradicted = isContradicted(correction.associations, expected, view);
-    if (report.contradicted || mayBeChance(correction.associations, options.map))
+    // After a gap the shifted squares of a board match, too: half of the map has to be where it says.
+    const bool unexplained = afterGap && !explainsFrame(countFates(correction.associations));
+    if (report.contradicted || unexplained || mayBeChance(correction.associations, options.map))
         return dismissMatches(std::move(correction), std::move(expected), expectedIndex);
     keeper.learnSlopes(correction.associations, finder);
     return correction;
@@ -115,7 +123,8 @@ void MonoSlam::Impl::predict(double dt_s)
     const double grown_rad = lineOfSightGrowth_rad(
         poseCovariance(x_v, before),
         poseCovariance(best(mixture).camera(), best(mixture).P.topLeftCorner<13, 13>()), rho);
-    afterGap = options.map.relocalize_every > 0 &&
+    const double usual_s = dt_s > 0.0 ? std::exchange(lastStep_s, dt_s) : lastStep_s;
+    afterGap = options.map.relocalize_every > 0 && dt_s > kGap * usual_s &&
                camera.parameters().fx_px * grown_rad > options.search.max_radius_px;
 }
 

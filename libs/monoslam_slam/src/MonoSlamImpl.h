@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <random>
@@ -52,7 +53,9 @@ struct MonoSlam::Impl
     std::optional<WorldOrigin> origin;  ///< if there is something not known of it
     LostMaps lost;
     LastView lastView;
-    int unlooked = 0;       ///< frames since the last look for a lost map
+    int unlooked = 0;  ///< frames since the last look for a lost map
+    int looksDue = 0;  ///< after a loss, in every frame
+    double lastStep_s = std::numeric_limits<double>::infinity();  ///< between the last two frames
     bool afterGap = false;  ///< the prediction of this frame does not tell where to search
     ProblemObserver observer;
 
@@ -64,6 +67,9 @@ struct MonoSlam::Impl
     [[nodiscard]] bool verify(const FrameContext& context, const LostMap& map,
                               const Belief& placed);
     [[nodiscard]] bool returnToLostMap(const FrameContext& context);
+    void trackAndJudge(const FrameContext& context, double dt_s, bool returned, FrameReport& report,
+                       ThreadClock& clock);
+    void lose(const FrameContext& context, FrameReport& report, ThreadClock& clock);
     void enter(LostMap map, Belief placed);
     void predict(double dt_s);
     void track(const FrameContext& context, double dt_s, FrameReport& report, ThreadClock& clock);

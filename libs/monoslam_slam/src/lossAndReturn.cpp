@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run does when it has lost track: it begins a new map, and looks for the way back into the old one.
+#include <algorithm>
+
 #include "MonoSlamImpl.h"
 #include "monoslam_association/fateCounts.h"
 
@@ -24,7 +26,7 @@ void MonoSlam::Impl::remember(double rho0)
     LostMap map{best(mixture), keeper.records(), std::nullopt, origin, rho0, judge.restarted(), {}};
     if (window) map.window.emplace(std::move(*window));
     lost.keep(std::move(map), lastView);
-    unlooked = options.map.relocalize_every;  // the next frame is worth a look
+    looksDue = 1 + options.map.relocalize_every;
 }
 
 /** A new map around the last pose, in the old map's median depth, when nothing matches any more. */
@@ -55,12 +57,14 @@ bool MonoSlam::Impl::verify(const FrameContext& context, const LostMap& map, con
     return explainsFrame(counts) && counts.matched >= 2L * options.map.min_matched;
 }
 
-/** Looks for what was lost, in every frame while there is nothing to lose, and now and then while a new map
- *  is tracked. True if the mixture is the lost map's, with the camera in it. */
+/** Looks for what was lost: in the frame of the loss and the next few, which still see most of it, in every
+ *  frame while there is nothing to lose, and now and then while a new map is tracked. True if the mixture is the lost map's, with the camera in it. */
 bool MonoSlam::Impl::returnToLostMap(const FrameContext& context)
 {
     if (lost.empty() || !judge.restarted()) return false;
-    if (!judge.poor() && ++unlooked < options.map.relocalize_every) return false;
+    const bool regular = ++unlooked >= options.map.relocalize_every;
+    if (!judge.poor() && looksDue == 0 && !regular) return false;
+    looksDue = std::max(0, looksDue - 1);
     unlooked = 0;
     for (const MapSighting& sighting : lost.find(*context.image, camera, judge.poor()))
     {
@@ -72,6 +76,26 @@ bool MonoSlam::Impl::returnToLostMap(const FrameContext& context)
         return true;
     }
     return false;
+}
+
+/** \param returned  whether the mixture has just been placed in a lost map, at this frame */
+void MonoSlam::Impl::trackAndJudge(const FrameContext& context, double dt_s, bool returned,
+                                   FrameReport& report, ThreadClock& clock)
+{
+    if (returned) report.remark = "back in the map that was lost";
+    track(context, dt_s, report, clock);
+    judge.assess(report, noise.sigma_px(), startUnexplained(), afterGap);
+}
+
+/** Begins a new map, unless the frame shows an old one after all: then the frame is tracked there. */
+void MonoSlam::Impl::lose(const FrameContext& context, FrameReport& report, ThreadClock& clock)
+{
+    restart(context);
+    if (!returnToLostMap(context)) return;
+    StageTimes before = report.times;
+    before.prepare_ms += clock.lap_ms();
+    trackAndJudge(context, 0.0, true, report, clock);
+    report.times += before;
 }
 
 /** Goes on in a map that was lost. */

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monoslam_vision/describeCorners.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -83,6 +85,7 @@ void append(const cv::Mat& image, const std::vector<cv::Point2f>& pixels, double
 DescribedCorners describeImage(const PreparedImage& image)
 {
     DescribedCorners all;
+    std::size_t places = 0;
     for (const double scale : kScales)
     {
         const cv::Mat smaller = scaled(image.levels.front(), scale);
@@ -91,7 +94,8 @@ DescribedCorners describeImage(const PreparedImage& image)
         cv::goodFeaturesToTrack(smaller, corners, cvRound(kMostCorners * scale), kQuality,
                                 kDistance_px);
         std::vector<std::size_t> indices(corners.size());
-        for (std::size_t i = 0; i < corners.size(); ++i) indices[i] = all.index.size() + i;
+        std::iota(indices.begin(), indices.end(), places);
+        places += corners.size();
         append(smaller, corners, scale, indices, Eigen::Vector2d::Zero(), all);
     }
     return all;

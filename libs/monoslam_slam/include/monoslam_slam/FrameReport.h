@@ -23,7 +23,7 @@ enum class TrackingState
 [[nodiscard]] MONOSLAM_SLAM_EXPORT std::string name(TrackingState state);
 
 /** CPU time of every stage of one frame, of all threads [ms]; decoding is not among them. */
-struct StageTimes
+struct MONOSLAM_SLAM_EXPORT StageTimes
 {
     double prepare_ms = 0.0;    ///< pyramid and integral images; the look for a lost map
     double predict_ms = 0.0;    ///< filter prediction
@@ -32,6 +32,8 @@ struct StageTimes
     double update_ms = 0.0;     ///< predicted measurements and filter update
     double map_ms = 0.0;        ///< deletion, conversion, candidates, new landmarks
     double total_ms = 0.0;
+
+    StageTimes& operator+=(const StageTimes& more);
 };
 
 /** What one frame did; everything that the writers write about a frame. */
